@@ -1,0 +1,28 @@
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace brewster {
+
+/// A pinhole camera in scene coordinates (recentred, metres).
+struct Camera {
+    std::string name;
+    glm::vec3 position{0.0f};
+    glm::vec3 forward{0.0f, 0.0f, -1.0f};  ///< unit
+    glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< unit, orthogonal to forward
+    float vertical_field_of_view = 0.8f;   ///< radians, the full angle of the picture's height
+    float near_distance = 0.01f;           ///< metres
+
+    glm::vec3 right() const;  ///< cross(forward, up)
+};
+
+/// GL clip coordinates for a picture of this shape; `jitter` moves it by a fraction of a pixel, each in [-0.5, 0.5].
+/// `far_distance` is measured from the camera and must hold the scene.
+glm::mat4 view_projection(const Camera& camera, int width, int height, float jitter_x, float jitter_y,
+                          float far_distance);
+
+/// Unit direction through the point (x, y) of the picture in pixels, row 0 on top.
+glm::vec3 ray_direction(const Camera& camera, int width, int height, float x, float y);
+
+}  // namespace brewster

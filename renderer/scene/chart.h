@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace brewster {
+
+/// One side of a planar set of triangles of one mesh and one material, with orthonormal coordinates on it.
+/// u and v run over [0, 1] across the bounding rectangle: position = origin + u size_u axis_u + v size_v axis_v.
+struct Chart {
+    std::string mesh;            ///< the node's name
+    std::uint32_t material = 0;
+    std::uint32_t surface = 0;   ///< front and back of one plane share it; a ray that leaves a chart skips it
+    std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::triangles
+    glm::vec3 origin{0.0f};
+    glm::vec3 axis_u{1, 0, 0}, axis_v{0, 1, 0}, normal{0, 0, 1};  ///< right-handed, unit
+    float size_u = 1, size_v = 1;                                  ///< metres
+    double area = 0;                                               ///< m2, of the triangles
+
+    glm::vec2 unit_coordinates(glm::vec3 position) const;
+};
+
+/// A straight line on a chart, in its (u, v), along which another surface touches or crosses it.
+struct Contact {
+    glm::vec2 from, to;
+};
+
+}  // namespace brewster

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+
+#include "scene/scene.h"
+
+namespace brewster {
+
+struct Ray {
+    glm::vec3 origin{0.0f};
+    glm::vec3 direction{0.0f, 0.0f, 1.0f};   ///< unit
+    std::uint32_t leaving = no_surface;  ///< the surface the ray starts on; it cannot be hit
+};
+
+/// Where a ray meets the scene first. `position` lies on the triangle's plane, pulled inside its edges by 1e-6 of the
+/// chart's size, so that no next ray starts outside.
+struct Hit {
+    std::uint32_t triangle = no_chart;  ///< no_chart: the ray left the scene
+    std::uint32_t chart = no_chart;     ///< of the side that was hit; no_chart on a back that absorbs
+    float distance = 0;
+    glm::vec3 position{0.0f};
+    std::uint32_t u = 0, v = 0;  ///< fixed-point chart coordinates, 24 bits
+
+    bool escaped() const { return triangle == no_chart; }
+};
+
+/// Answers rays against a constant scene; any number of threads may ask at once. The answers do not depend on how rays
+/// are grouped into calls.
+class Rays {
+  public:
+    explicit Rays(const Scene& scene);  ///< keeps a reference to the scene
+    ~Rays();
+    Rays(const Rays&) = delete;
+    Rays& operator=(const Rays&) = delete;
+
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brewster

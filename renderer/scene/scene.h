@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/chart.h"
+#include "scene/lamp.h"
+#include "scene/material.h"
+
+namespace brewster {
+
+inline constexpr std::uint32_t no_chart = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
+
+/// A triangle and the charts of its two sides. The front is where the vertices run counter-clockwise.
+/// A missing back absorbs every ray.
+struct Triangle {
+    std::array<std::uint32_t, 3> vertices{};
+    std::uint32_t front_chart = no_chart, back_chart = no_chart;
+    std::uint32_t surface = no_surface;
+};
+
+/// What a file describes, ready for light: constant once read. Coordinates are the file's minus `centre`.
+struct Scene {
+    std::string name;  ///< the file's stem
+    glm::dvec3 centre{0.0};
+    glm::vec3 low{0.0f}, high{0.0f};  ///< bounds after recentring
+    std::vector<glm::vec3> vertices;
+    std::vector<Triangle> triangles;            ///< those of one surface stand together
+    std::vector<Chart> charts;
+    std::vector<std::vector<Contact>> contacts;  ///< per chart
+    std::vector<Material> materials;
+    std::vector<Lamp> lamps;
+    std::vector<Camera> cameras;  ///< never empty: a file without one gets the view "fit"
+    std::vector<std::string> warnings;  ///< what is not simulated or was mended, a sentence each
+
+    float radius() const;  ///< of the sphere around the origin that holds the bounds
+
+    /// The camera of that name; an unknown name is an Error that lists the names there are.
+    const Camera& camera(const std::string& camera_name) const;
+};
+
+/// Reads a .gltf or .glb file. Throws Error in one sentence for a file that cannot be read or is not simulated.
+Scene read_scene(const std::string& path);
+
+/// The same from text already in memory (an embedded scene); `name` stands in messages, buffers must be data URIs.
+Scene read_scene_text(std::string_view text, const std::string& name);
+
+}  // namespace brewster
