@@ -1,0 +1,84 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bins/bin_settings.h"
+#include "bins/snapshot.h"
+#include "scene/scene.h"
+#include "transport/ledger.h"
+
+namespace brewster {
+
+struct EngineSettings {
+    std::uint64_t seed = 1;
+    unsigned threads = 0;           ///< 0: as many as the machine has
+    bool lowest_priority = false;   ///< beside a window: workers yield to it
+    double snapshot_seconds = 0;    ///< > 0: publish at least this often; otherwise only the first batches and the end
+    BinSettings bins;
+};
+
+/// When to stop; the first that holds. All empty: never.
+struct StopRule {
+    std::optional<std::uint64_t> photons;
+    std::optional<double> seconds;       ///< of tracing, pauses not counted
+    std::optional<double> target_error;  ///< area-weighted rms of the relative standard error
+};
+
+/// Numbers for people and reports; all of the same moment.
+struct Progress {
+    std::uint64_t photons = 0;
+    std::vector<std::uint64_t> photons_by_thread;
+    std::uint64_t useful_photons = 0;  ///< that deposited at least once
+    std::uint64_t bounces = 0;         ///< surface hits
+    std::uint64_t rays = 0;
+    double seconds = 0;
+    double first_snapshot_ms = 0;
+    std::uint64_t leaves = 0;            ///< of the tally trees
+    std::uint64_t published_leaves = 0;  ///< of the newest snapshot, direct and indirect
+    std::uint64_t bytes = 0;             ///< by formula: records and two snapshots
+    double relative_error = 0;           ///< of the newest snapshot; 0 until there is one
+    std::uint64_t trouble = 0;           ///< numbers that were not finite, rays that went astray
+    bool running = false;
+
+    double photons_per_second() const { return seconds > 0 ? static_cast<double>(photons) / seconds : 0; }
+};
+
+/// Traces photons of a scene on background threads and files them into bins.
+/// A solution is a function of (scene, seed, bin settings, photon count): the number of threads, pauses and the moments
+/// of publication do not change a bit of it.
+class Engine {
+  public:
+    /// Throws Error if nothing in the scene emits light.
+    Engine(std::shared_ptr<const Scene> scene, const EngineSettings& settings);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    /// Begins, or goes on after a stop, until `rule` holds; counts of the rule are totals since construction.
+    void start(const StopRule& rule);
+    void pause();   ///< returns when every worker rests; what is traced is published
+    void resume();
+    void stop();    ///< like pause, and `wait` returns
+    void wait();    ///< until the rule holds or stop() is called; throws the Error of a worker that failed
+    bool wait_for(double seconds);  ///< true if done, otherwise after `seconds`
+
+    /// The newest bins, or null before the first. Safe from any thread.
+    std::shared_ptr<const Snapshot> snapshot() const;
+    Progress progress() const;
+
+    /// Only while no worker runs. The digest is a hash of tree topology and integer sums, as hexadecimal text.
+    Ledger ledger() const;
+    std::string digest() const;
+
+    const Scene& scene() const;
+    const EngineSettings& settings() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brewster
