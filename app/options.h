@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/numbers.h"
+#include "engine/engine.h"
+
+namespace brewster {
+
+/// What a picture shows of the light.
+enum class Map { radiance };
+
+constexpr std::string_view map_name(Map map) {
+    switch (map) {
+        case Map::radiance: return "radiance";
+    }
+    return "";
+}
+
+inline constexpr std::uint64_t default_photons = 10'000'000;
+
+struct SolveOptions {
+    std::string scene;  ///< path of a .gltf or .glb file
+    StopRule stop{.photons = default_photons, .seconds = {}, .target_error = {}};
+    EngineSettings engine;
+    bool json = false;
+};
+
+struct ShotOptions {
+    SolveOptions solve;
+    std::vector<std::string> cameras;    ///< empty: all
+    std::optional<PictureSize> size;     ///< none: default_picture_height and the camera's shape
+    std::vector<Map> maps = {Map::radiance};
+    std::optional<double> exposure;      ///< EV; none: found from the first camera of the scene
+    int samples = 64;                    ///< jittered draws a picture is the mean of
+    bool legend = true;                  ///< in PNG pictures
+    std::string out = "pictures/{camera}.png";
+};
+
+inline constexpr int default_picture_height = 480;
+
+struct InfoOptions {
+    std::string scene;
+    bool json = false;
+};
+
+struct CompareOptions {
+    std::string picture, reference;  ///< paths of EXR files
+    bool json = false;
+};
+
+/// The program without a verb.
+struct ViewerOptions {
+    std::string scene;      ///< empty: the scene in the binary
+    bool headless = false;  ///< draw pictures even where a window could be opened
+};
+
+using Command = std::variant<ViewerOptions, SolveOptions, ShotOptions, InfoOptions, CompareOptions>;
+
+}  // namespace brewster

@@ -1,0 +1,13 @@
+#pragma once
+#include "app/options.h"
+
+namespace brewster {
+
+/// The verbs of the command line, each in the file of its name. Results go to standard output, messages to standard
+/// error; what fails throws Error.
+void solve(const SolveOptions& options);
+void shot(const ShotOptions& options);
+void info(const InfoOptions& options);
+void compare_pictures(const CompareOptions& options);
+
+}  // namespace brewster
