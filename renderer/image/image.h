@@ -21,7 +21,8 @@ class Image {
     const std::vector<std::string>& channel_names() const { return names_; }
     bool has(const std::string& channel) const;
 
-    /// The channel's pixels; `add_channel` makes one, zero everywhere. An unknown channel is an Error that lists those there are.
+    /// The channel's pixels; `add_channel` makes one, zero everywhere. An unknown channel is an Error that lists those
+    /// there are.
     std::vector<float>& add_channel(const std::string& channel);
     std::vector<float>& channel(const std::string& channel);
     const std::vector<float>& channel(const std::string& channel) const;

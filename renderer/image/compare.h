@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "image/image.h"
+
+namespace brewster {
+
+/// How one Stokes component of one band of a picture `a` differs from a reference `b`.
+struct BandDifference {
+    double mean_a = 0, mean_b = 0;
+    double rmse = 0;           ///< sqrt(mean((a - b)^2)), in the picture's unit
+    double relative_rmse = 0;  ///< sqrt(mean(((a - b)^2 - variance of b) / (b^2 + e^2))), e = 1 % of b's mean S0 in the region
+    double bias = 0;           ///< mean(a - b)
+    /// Of the bias, from the pixel variances of both pictures (one that has none counts as exact); none when neither
+    /// has them. Pixels count as independent: where bins join neighbours, the true error is larger.
+    std::optional<double> bias_standard_error;
+};
+
+struct PictureDifference {
+    std::size_t pixels = 0;  ///< compared
+    /// [component][band]; S0 is always there, S1 to S3 when both pictures hold them.
+    std::array<std::optional<std::array<BandDifference, 3>>, 4> components;
+};
+
+/// Compares two pictures of equal size. S0 is read from S0.R S0.G S0.B, or from R G B where those are missing; the
+/// variances V0.R .. V3.B of `b` are subtracted from its relative rmse where they exist (a negative rest counts as 0).
+/// `mask`, one byte a pixel, selects pixels by non-zero; empty takes all.
+/// Throws Error for unequal sizes, missing channels, an empty region, or a pixel that is not a finite number.
+PictureDifference compare(const Image& a, const Image& b, std::span<const std::uint8_t> mask = {});
+
+}  // namespace brewster
