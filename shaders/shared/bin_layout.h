@@ -1,7 +1,7 @@
 // Layout of the published bins, read by C++ and GLSL alike.
 //
 // Chart coordinates are fixed point: u and v of [0, 1) times 2^24, so that both sides descend by integer compares.
-// Node, two words:  inner: x = split position, y = axis << 30 | index of the low child (the high child follows it);
+// Node, two words:  inner: x = split position, y = axis << 29 | index of the low child (the high child follows it);
 //                   leaf:  x = 0,              y = 1 << 31 | index of the leaf.
 // Leaf, five texels of four floats: the values at the corners (u,v) = (0,0), (1,0), (0,1), (1,1) and the amplitude of
 // a bubble that is 1 at the middle and 0 on the border, each red, green, blue; the fourth floats of the first three
@@ -11,6 +11,6 @@
 #define BREWSTER_UV_BITS 24
 #define BREWSTER_UV_ONE 16777216u
 #define BREWSTER_NODE_LEAF 0x80000000u
-#define BREWSTER_NODE_AXIS 0x40000000u
-#define BREWSTER_NODE_INDEX 0x3fffffffu
+#define BREWSTER_NODE_AXIS_SHIFT 29
+#define BREWSTER_NODE_INDEX 0x1fffffffu
 #define BREWSTER_LEAF_TEXELS 5u

@@ -20,7 +20,7 @@ BREWSTER_FUNCTION BinValue look_up(BREWSTER_BINS_PARAMETER uint root, uint u, ui
     uvec2 node = fetch_node(BREWSTER_BINS root);
     while ((node.y & BREWSTER_NODE_LEAF) == 0u) {
         uint child = node.y & BREWSTER_NODE_INDEX;
-        if ((node.y & BREWSTER_NODE_AXIS) == 0u) {
+        if ((node.y >> BREWSTER_NODE_AXIS_SHIFT) == 0u) {
             if (u < node.x) {
                 high_u = node.x;
             } else {

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace brewster {
+
+/// The part of a chart's bounding rectangle that is surface: triangles in (u, v) of [0, 1]^2, in any order and winding.
+struct Outline {
+    std::vector<std::array<glm::dvec2, 3>> triangles;
+    glm::dvec2 size{1, 1};  ///< metres along u and v
+    std::vector<std::pair<glm::dvec2, glm::dvec2>> contacts;  ///< lines where other surfaces touch or cross this one
+};
+
+/// An axis-parallel box of fixed-point coordinates, [low, high): position u, v, then direction where there is one.
+template <int D>
+struct Box {
+    std::array<std::uint32_t, D> low{}, high{};
+};
+
+/// Moments of area of the surface inside a cell, about cell coordinates (x, y) of [-1, 1]^2.
+struct CellGeometry {
+    double area = 0;                      ///< m2 of surface inside the cell
+    std::array<double, 2> mean{};         ///< of x, y
+    std::array<double, 3> covariance{};   ///< of (x, x), (x, y), (y, y)
+    std::array<double, 2> legendre{};     ///< mean of (3 x^2 - 1) / 2 and of the same in y
+    std::array<double, 2> sign{};         ///< mean of the sign of x, of y
+    double sign_product = 0;              ///< mean of sign x sign y
+    double bubble = 0;                    ///< mean of (1 - x^2)(1 - y^2)
+    std::array<double, 2> middle{};       ///< middle of what is occupied along x, y
+    bool full = false;                    ///< all of the cell is surface
+};
+
+/// Clips the listed triangles of the outline to the box and integrates. Exact up to rounding: every integrand is a
+/// polynomial of degree <= 4 on pieces cut at x = 0 and y = 0.
+CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<const std::uint32_t> triangles);
+
+/// Those of the listed triangles that share area with the box.
+std::vector<std::uint32_t> triangles_in(const Outline& outline, const Box<2>& box, std::span<const std::uint32_t> triangles);
+
+}  // namespace brewster

@@ -1,0 +1,255 @@
+#include "bins/tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "base/check.h"
+#include "bins/split_test.h"
+
+namespace brewster {
+namespace {
+
+constexpr std::uint32_t smallest_size = BREWSTER_UV_ONE >> 12;  // a cell's least extent: 1/4096 of its chart
+
+template <int D>
+Box<2> position_box(const Box<D>& box) {
+    return {{box.low[0], box.low[1]}, {box.high[0], box.high[1]}};
+}
+
+template <int D>
+LeafFrame<D> frame_of(const Box<D>& box) {
+    LeafFrame<D> frame;
+    for (std::size_t a = 0; a < D; ++a) {
+        frame.low[a] = box.low[a];
+        frame.half[a] = 0.5f * static_cast<float>(box.high[a] - box.low[a]);
+        frame.inverse_half[a] = 1.0f / frame.half[a];
+    }
+    return frame;
+}
+
+template <int D>
+NullMoments<D> null_moments(const CellGeometry& geometry) {
+    NullMoments<D> null;
+    for (std::size_t a = 0; a < 2; ++a) {
+        null.mean[a] = geometry.mean[a];
+        null.legendre[a] = geometry.legendre[a];
+        null.sign[a] = geometry.sign[a];
+    }
+    null.sign_product[0] = geometry.sign_product;  // the pair (u, v) is the first
+    return null;
+}
+
+// Half the nodes are leaves; a snapshot holds at most two nodes and two leaves of five texels for each of them.
+template <int D>
+constexpr std::size_t bytes_per_node = sizeof(TreeNode) + sizeof(Cell<D>) + sizeof(CellSums<D>) + sizeof(LeafFrame<D>) / 2 +
+                                       2 * (2 * sizeof(TreeNode) + BREWSTER_LEAF_TEXELS * 4 * sizeof(float));
+
+std::uint32_t fixed(double unit) {
+    return static_cast<std::uint32_t>(std::clamp(std::lround(unit * BREWSTER_UV_ONE), 0L, long{BREWSTER_UV_ONE}));
+}
+
+}  // namespace
+
+template <int D>
+BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) : outlines_(std::move(outlines)) {
+    const std::uint32_t charts = chart_count();
+    double total_area = 0;
+    for (std::uint32_t chart = 0; chart < charts; ++chart) {
+        Cell<D> cell;
+        cell.chart = chart;
+        for (std::size_t a = 0; a < D; ++a) cell.box.high[a] = BREWSTER_UV_ONE;
+        cell.triangles.resize(outlines_[chart].triangles.size());
+        std::iota(cell.triangles.begin(), cell.triangles.end(), 0u);
+        cell.geometry = cell_geometry(outlines_[chart], position_box(cell.box), cell.triangles);
+        BREWSTER_CHECK(cell.geometry.area > 0, "chart " + std::to_string(chart) + " has no area");
+        if (cell.geometry.full) cell.triangles.clear();
+        total_area += cell.geometry.area;
+        TreeNode node;
+        node.word = BREWSTER_NODE_LEAF | chart;
+        nodes_.push_back(node);
+        frames_.push_back(frame_of(cell.box));
+        node_of_leaf_.push_back(chart);
+        cells_.push_back(std::move(cell));
+        sums_.emplace_back();
+    }
+    if (settings.fixed_grid_log2 >= 0) {
+        for (std::uint32_t chart = 0; chart < charts; ++chart) {
+            split_evenly(chart, 2 * settings.fixed_grid_log2, glm::dvec2(1));
+        }
+        return;
+    }
+    for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
+    // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where idle.
+    constexpr double first_cells = 2048;
+    const std::size_t contact_nodes = nodes_.size();
+    for (std::uint32_t index = 0; index < contact_nodes; ++index) {
+        if (!nodes_[index].is_leaf()) continue;
+        const double share = first_cells * cells_[index].geometry.area / total_area;
+        const int levels = static_cast<int>(std::floor(std::log2(std::max(share, 1.0))));
+        split_evenly(index, std::min(levels, 8), outlines_[cells_[index].chart].size);
+    }
+}
+
+// The middle of what is occupied, so that no child is empty.
+template <int D>
+bool BinTree<D>::split_position(std::uint32_t index, int axis, std::uint32_t& position) const {
+    const auto a = static_cast<std::size_t>(axis);
+    const Cell<D>& cell = cells_[index];
+    const std::uint32_t low = cell.box.low[a], high = cell.box.high[a];
+    if (high - low < 2 * smallest_size) return false;
+    const double middle = a < 2 ? cell.geometry.middle[a] : 0.0;
+    position = low + static_cast<std::uint32_t>(std::lround((0.5 + 0.5 * middle) * (high - low)));
+    return position > low && position < high;
+}
+
+template <int D>
+void BinTree<D>::split(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons) {
+    const auto a = static_cast<std::size_t>(axis);
+    const auto low_child = static_cast<std::uint32_t>(nodes_.size());
+    const std::uint32_t leaf = nodes_[index].leaf();
+    BREWSTER_CHECK(low_child + 1 < BREWSTER_NODE_INDEX, "too many nodes for the layout");
+    for (int side = 0; side < 2; ++side) {
+        Cell<D> child;
+        child.chart = cells_[index].chart;
+        child.box = cells_[index].box;
+        (side == 0 ? child.box.high : child.box.low)[a] = position;
+        child.birth = photons;
+        if (cells_[index].geometry.full) {
+            child.geometry = cells_[index].geometry;
+            if (a < 2) {
+                child.geometry.area *= static_cast<double>(child.box.high[a] - child.box.low[a]) /
+                                       static_cast<double>(cells_[index].box.high[a] - cells_[index].box.low[a]);
+            }
+        } else {
+            const Outline& outline = outlines_[child.chart];
+            child.triangles = triangles_in(outline, position_box(child.box), cells_[index].triangles);
+            child.geometry = cell_geometry(outline, position_box(child.box), child.triangles);
+            if (child.geometry.full) child.triangles.clear();
+        }
+        const std::uint32_t row = side == 0 ? leaf : static_cast<std::uint32_t>(frames_.size());
+        if (side == 1) {
+            frames_.emplace_back();
+            node_of_leaf_.emplace_back();
+        }
+        frames_[row] = frame_of(child.box);
+        node_of_leaf_[row] = low_child + static_cast<std::uint32_t>(side);
+        TreeNode node;
+        node.word = BREWSTER_NODE_LEAF | row;
+        nodes_.push_back(node);
+        cells_.push_back(std::move(child));
+        sums_.emplace_back();
+    }
+    nodes_[index].split = position;
+    nodes_[index].word = static_cast<std::uint32_t>(axis) << BREWSTER_NODE_AXIS_SHIFT | low_child;
+    cells_[index].triangles = {};
+}
+
+// Light jumps where surfaces meet, so the first borders lie there. Only lines along u or v can be borders.
+template <int D>
+void BinTree<D>::split_along_contacts(std::uint32_t chart) {
+    constexpr double parallel = 1e-4, least = 1.0 / 256;  // of the chart's extent
+    constexpr int most_lines = 16;
+    int lines = 0;
+    for (const auto& [from, to] : outlines_[chart].contacts) {
+        for (int axis = 0; axis < 2 && lines < most_lines; ++axis) {
+            const double at = 0.5 * (from[axis] + to[axis]);
+            const int along = 1 - axis;
+            if (std::abs(from[axis] - to[axis]) > parallel || std::abs(from[along] - to[along]) < least) continue;
+            if (at < least || at > 1 - least) continue;
+            ++lines;
+            cut(chart, axis, fixed(at), fixed(std::min(from[along], to[along])), fixed(std::max(from[along], to[along])));
+        }
+    }
+}
+
+// Splits the leaves below a node that the line crosses, unless a side would be a sliver or hold no surface.
+template <int D>
+void BinTree<D>::cut(std::uint32_t index, int axis, std::uint32_t position, std::uint32_t begin, std::uint32_t end) {
+    const auto a = static_cast<std::size_t>(axis), b = 1 - a;
+    const Box<D>& box = cells_[index].box;
+    constexpr std::uint32_t sliver = 4 * smallest_size;
+    if (position < box.low[a] + sliver || position + sliver > box.high[a]) return;
+    if (begin + sliver > box.high[b] || end < box.low[b] + sliver) return;
+    if (!nodes_[index].is_leaf()) {
+        const std::uint32_t child = nodes_[index].low_child();
+        cut(child, axis, position, begin, end);
+        cut(child + 1, axis, position, begin, end);
+        return;
+    }
+    if (!cells_[index].geometry.full) {
+        for (const bool low_side : {true, false}) {
+            Box<2> side = position_box(box);
+            (low_side ? side.high : side.low)[a] = position;
+            if (cell_geometry(outlines_[cells_[index].chart], side, cells_[index].triangles).area <= 0) return;
+        }
+    }
+    split(index, axis, position, 0);
+}
+
+// Halves the longer side, in metres.
+template <int D>
+void BinTree<D>::split_evenly(std::uint32_t index, int levels, const glm::dvec2& size) {
+    if (levels <= 0) return;
+    const Box<D>& box = cells_[index].box;
+    const int axis = size.y * (box.high[1] - box.low[1]) > size.x * (box.high[0] - box.low[0]) ? 1 : 0;
+    std::uint32_t position = 0;
+    if (!split_position(index, axis, position)) return;
+    split(index, axis, position, 0);
+    const std::uint32_t child = nodes_[index].low_child();
+    split_evenly(child, levels - 1, size);
+    split_evenly(child + 1, levels - 1, size);
+}
+
+template <int D>
+std::size_t BinTree<D>::bytes() const {
+    return node_count() * bytes_per_node<D>;
+}
+
+template <int D>
+void BinTree<D>::absorb(Tally<D>& tally) {
+    for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+        CellSums<D>& sums = sums_[node_of_leaf_[leaf]];
+        Quanta* estimate = tally.estimate(leaf);
+        for (std::size_t i = 0; i < sums.estimate.size(); ++i) {
+            sums.estimate[i] += estimate[i];
+            estimate[i] = 0;
+        }
+        Quanta* test = tally.test(leaf);
+        for (std::size_t i = 0; i < sums.test.size(); ++i) {
+            sums.test[i] += test[i];
+            test[i] = 0;
+        }
+    }
+}
+
+template <int D>
+void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings) {
+    if (settings.fixed_grid_log2 >= 0) return;
+    struct Candidate {
+        double value;
+        std::uint32_t node;
+        int axis;
+        std::uint32_t position;
+    };
+    std::vector<Candidate> candidates;
+    for (const std::uint32_t index : node_of_leaf_) {
+        const auto choice = choose_split<D>(sums_[index], null_moments<D>(cells_[index].geometry), settings);
+        if (!choice) continue;
+        Candidate candidate{choice->z_squared * choice->power, index, choice->axis, 0};
+        if (split_position(index, candidate.axis, candidate.position)) candidates.push_back(candidate);
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return a.value != b.value ? a.value > b.value : a.node < b.node;
+    });
+    for (const Candidate& candidate : candidates) {
+        if (bytes() + 2 * bytes_per_node<D> > settings.memory_bytes) break;
+        split(candidate.node, candidate.axis, candidate.position, photons);
+    }
+}
+
+template class BinTree<2>;
+template class BinTree<4>;
+
+}  // namespace brewster

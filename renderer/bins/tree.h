@@ -1,0 +1,99 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bins/bin_settings.h"
+#include "bins/outline.h"
+#include "bins/record.h"
+#include "shared/bin_layout.h"
+
+namespace brewster {
+
+/// A node of a tally tree, in the words of bin_layout.h; a leaf's index is its row in the tallies.
+struct TreeNode {
+    std::uint32_t split = 0;
+    std::uint32_t word = BREWSTER_NODE_LEAF;
+
+    bool is_leaf() const { return (word & BREWSTER_NODE_LEAF) != 0; }
+    std::uint32_t leaf() const { return word & ~BREWSTER_NODE_LEAF; }
+    std::uint32_t axis() const { return word >> BREWSTER_NODE_AXIS_SHIFT; }
+    std::uint32_t low_child() const { return word & BREWSTER_NODE_INDEX; }
+};
+
+/// How a leaf turns fixed-point coordinates into its own of [-1, 1].
+template <int D>
+struct LeafFrame {
+    std::array<std::uint32_t, D> low{};
+    std::array<float, D> half{}, inverse_half{};
+
+    float coordinate(std::uint32_t x, std::size_t axis) const {
+        return (static_cast<float>(x - low[axis]) - half[axis]) * inverse_half[axis];
+    }
+};
+
+/// A cell of any age: a split keeps the sums of its own time, its children hold what came later.
+template <int D>
+struct Cell {
+    std::uint32_t chart = 0;
+    Box<D> box;
+    CellGeometry geometry;                 ///< of its position; directions fill their box evenly
+    std::uint64_t birth = 0;               ///< photons emitted when it came to be
+    std::vector<std::uint32_t> triangles;  ///< of the outline, inside the box; empty where the cell is full
+};
+
+/// The trees of all charts, over position (D = 2) or position and direction (D = 4): descent for photons, sums and
+/// splits at batch ends. Topology changes only in `split_leaves`, so photons of a batch may descend from any thread.
+template <int D>
+class BinTree {
+  public:
+    using Layout = RecordLayout<D>;
+    using Point = std::array<std::uint32_t, D>;
+
+    BinTree(std::vector<Outline> outlines, const BinSettings& settings);
+
+    /// The leaf of a chart under fixed-point coordinates.
+    std::uint32_t locate(std::uint32_t chart, const Point& point) const {
+        TreeNode node = nodes_[chart];
+        while (!node.is_leaf()) node = nodes_[node.low_child() + (point[node.axis()] < node.split ? 0u : 1u)];
+        return node.leaf();
+    }
+    const LeafFrame<D>& frame(std::uint32_t leaf) const { return frames_[leaf]; }
+
+    std::size_t leaf_count() const { return frames_.size(); }
+    std::size_t node_count() const { return nodes_.size(); }
+    std::uint32_t chart_count() const { return static_cast<std::uint32_t>(outlines_.size()); }
+    const TreeNode& node(std::uint32_t index) const { return nodes_[index]; }
+    const Cell<D>& cell(std::uint32_t index) const { return cells_[index]; }
+    const CellSums<D>& sums(std::uint32_t index) const { return sums_[index]; }
+    const Outline& outline(std::uint32_t chart) const { return outlines_[chart]; }
+
+    /// Adds a tally to the sums of the leaves and leaves it at zero.
+    void absorb(Tally<D>& tally);
+
+    /// Tests every leaf and splits those that pass, the most valuable first, while the memory budget lasts. `photons`:
+    /// emitted so far, in all.
+    void split_leaves(std::uint64_t photons, const BinSettings& settings);
+
+    /// Records and two snapshots, by formula, so that the budget means the same on every machine.
+    std::size_t bytes() const;
+
+  private:
+    bool split_position(std::uint32_t index, int axis, std::uint32_t& position) const;
+    void split(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons);
+    void split_along_contacts(std::uint32_t chart);
+    void cut(std::uint32_t index, int axis, std::uint32_t position, std::uint32_t begin, std::uint32_t end);
+    void split_evenly(std::uint32_t index, int levels, const glm::dvec2& size);
+
+    std::vector<Outline> outlines_;
+    std::vector<TreeNode> nodes_;   // the roots first, one a chart
+    std::vector<Cell<D>> cells_;    // beside nodes_
+    std::vector<CellSums<D>> sums_; // beside nodes_
+    std::vector<LeafFrame<D>> frames_;
+    std::vector<std::uint32_t> node_of_leaf_;
+};
+
+extern template class BinTree<2>;
+extern template class BinTree<4>;
+
+}  // namespace brewster

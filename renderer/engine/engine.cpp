@@ -1,0 +1,356 @@
+#include "engine/engine.h"
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "bins/publish.h"
+#include "bins/tree.h"
+#include "engine/batch.h"
+#include "engine/digest.h"
+#include "engine/outlines.h"
+#include "scene/rays.h"
+#include "transport/emission.h"
+#include "transport/scalar.h"
+
+namespace brewster {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+// On Linux a priority belongs to a thread.
+void yield_to_everybody() { setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 19); }
+
+}  // namespace
+
+/// One conductor and several workers. The conductor owns the trees: it opens a batch, the workers take its blocks and
+/// trace into tallies of their own, and hand them over when the batch is done or somebody wants to look; then the
+/// conductor publishes, or ends the batch and lets the trees grow. Nobody reads another thread's tallies.
+struct Engine::Impl {
+    Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& settings_in);
+    ~Impl();
+
+    void conduct();
+    void work(unsigned index);
+    bool take_block(std::uint64_t& begin, std::uint64_t& end);
+    bool rule_holds() const;
+    void publish_now(std::unique_lock<std::mutex>& lock);
+    void open_batch();
+    void collect(std::unique_lock<std::mutex>& lock);
+
+    const std::shared_ptr<const Scene> scene;
+    const EngineSettings settings;
+    const Rays rays;
+    const Emission emission;
+    BinTree<2> tree;
+    const ScalarTransport transport;
+
+    mutable std::mutex mutex;
+    std::condition_variable work_to_do, something_done;
+
+    // Guarded by the mutex.
+    BatchSequence batch;
+    std::uint64_t next_photon = 0;   // the first that no worker has taken
+    std::uint64_t limit = 0;         // workers take photons below this
+    unsigned busy = 0;               // workers inside a block
+    std::uint64_t hand_over = 0;     // a growing wish: hand over what you have
+    std::vector<std::uint64_t> handed_over;  // per worker: the wish it has met
+    WorkerSums sums;                 // of the running batch (bins) and of all (ledger, counts)
+    std::vector<std::uint64_t> photons_by_thread;
+    StopRule rule;
+    bool run = false;        // the user wants photons
+    bool done = true;        // nothing left to do for this start
+    bool quit = false;
+    double seconds = 0;      // of tracing, before the present run
+    Clock::time_point resumed;
+    double first_snapshot_ms = 0;
+    Clock::time_point first_start;
+    bool started = false;
+    std::exception_ptr failure;
+    std::shared_ptr<const Snapshot> newest;
+    std::uint64_t version = 0;
+    std::size_t tree_leaves = 0, tree_bytes = 0;
+
+    std::vector<std::jthread> workers;
+    std::jthread conductor;
+};
+
+Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& settings_in)
+    : scene(std::move(scene_in)), settings(settings_in), rays(*scene), emission(*scene, settings.seed),
+      tree(outlines_of(*scene), settings.bins), transport(*scene, rays, emission, tree, settings.seed) {
+    if (!emission.any()) {
+        throw Error("no lamp gives light", scene->name,
+                    "add an emissive material or a light of KHR_lights_punctual to the file");
+    }
+    const unsigned count = settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+    sums.bins.resize(tree.leaf_count());
+    tree_leaves = tree.leaf_count();
+    tree_bytes = tree.bytes();
+    handed_over.assign(count, 0);
+    photons_by_thread.assign(count, 0);
+    for (unsigned index = 0; index < count; ++index) workers.emplace_back([this, index] { work(index); });
+    conductor = std::jthread([this] { conduct(); });
+}
+
+Engine::Impl::~Impl() {
+    {
+        const std::lock_guard lock(mutex);
+        quit = true;
+        run = false;
+    }
+    work_to_do.notify_all();
+    something_done.notify_all();
+}
+
+// With the lock held. False: nothing to take now.
+bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
+    if (!run || quit || next_photon >= limit) return false;
+    begin = next_photon;
+    end = std::min(limit, (begin / photons_per_block + 1) * photons_per_block);
+    next_photon = end;
+    return true;
+}
+
+void Engine::Impl::work(unsigned index) {
+    if (settings.lowest_priority) yield_to_everybody();
+    WorkerSums own;
+    std::unique_lock lock(mutex);
+    while (!quit) {
+        std::uint64_t begin = 0, end = 0;
+        if (handed_over[index] != hand_over) {
+            // Leaves change only when every tally is at zero, so resizing loses nothing.
+            if (own.bins.leaves() > 0 && own.counts.photons > 0) {
+                sums.bins.take(own.bins);
+                sums.ledger.add(own.ledger);
+                sums.counts.add(own.counts);
+                own.ledger = {};
+                own.counts = {};
+            }
+            handed_over[index] = hand_over;
+            something_done.notify_all();
+        }
+        if (!take_block(begin, end)) {
+            work_to_do.wait(lock);
+            continue;
+        }
+        ++busy;
+        own.bins.resize(tree.leaf_count());
+        lock.unlock();
+        try {
+            for (std::uint64_t photon = begin; photon < end; ++photon) transport.trace(photon, own);
+        } catch (...) {
+            const std::lock_guard failed(mutex);
+            if (!failure) failure = std::current_exception();
+            run = false;
+        }
+        lock.lock();
+        --busy;
+        photons_by_thread[index] += end - begin;
+        if (busy == 0) something_done.notify_all();
+    }
+}
+
+// Waits until every worker rests or has handed over what it had when asked.
+void Engine::Impl::collect(std::unique_lock<std::mutex>& lock) {
+    ++hand_over;
+    work_to_do.notify_all();
+    something_done.wait(lock, [&] {
+        return quit || std::all_of(handed_over.begin(), handed_over.end(), [&](auto met) { return met == hand_over; });
+    });
+}
+
+bool Engine::Impl::rule_holds() const {
+    if (failure) return true;
+    if (rule.photons && next_photon >= *rule.photons) return true;
+    if (rule.seconds && seconds + seconds_since(resumed) >= *rule.seconds) return true;
+    return rule.target_error && newest && newest->photons == next_photon && newest->relative_error > 0 &&
+           newest->relative_error <= *rule.target_error;
+}
+
+// Sums must be collected. Drops the lock while it computes: nobody else changes the tree, and the sums are copied.
+void Engine::Impl::publish_now(std::unique_lock<std::mutex>& lock) {
+    const std::uint64_t photons = sums.counts.photons;
+    if (photons == 0 || (newest && newest->photons == photons)) return;
+    const bool between_batches = photons == batch.begin();
+    const Tally<2> pending = between_batches ? Tally<2>() : sums.bins;
+    lock.unlock();
+    auto snapshot = std::make_shared<Snapshot>(
+        publish(tree, between_batches ? nullptr : &pending, photons, emission.mean_power(), settings.bins));
+    lock.lock();
+    snapshot->version = ++version;
+    newest = std::move(snapshot);
+    if (version == 1) first_snapshot_ms = 1000 * seconds_since(first_start);
+    something_done.notify_all();
+}
+
+void Engine::Impl::open_batch() {
+    limit = rule.photons ? std::min(batch.end(), *rule.photons) : batch.end();
+    work_to_do.notify_all();
+}
+
+void Engine::Impl::conduct() {
+    if (settings.lowest_priority) yield_to_everybody();
+    std::unique_lock lock(mutex);
+    auto last_publication = Clock::now();
+    while (!quit) {
+        if (!run) {
+            if (!done) {  // paused, stopped or failed: let the blocks in flight end, then show all there is
+                something_done.wait(lock, [&] { return quit || busy == 0; });
+                collect(lock);
+                if (!failure) publish_now(lock);
+                seconds += seconds_since(resumed);
+                done = true;
+                something_done.notify_all();
+            }
+            work_to_do.wait(lock, [&] { return quit || run; });
+            continue;
+        }
+        open_batch();
+        const auto nothing_left = [&] { return next_photon >= limit && busy == 0; };
+        // A look now and then: the rule may hold by time, and a window wants pictures.
+        something_done.wait_for(lock, std::chrono::milliseconds(5), [&] { return quit || !run || nothing_left(); });
+        if (quit || !run) continue;
+        const bool wanted = settings.snapshot_seconds > 0 && seconds_since(last_publication) >= settings.snapshot_seconds;
+        if (next_photon >= batch.end() && busy == 0) {
+            collect(lock);
+            tree.absorb(sums.bins);
+            tree.split_leaves(batch.end(), settings.bins);
+            sums.bins.resize(tree.leaf_count());
+            tree_leaves = tree.leaf_count();
+            tree_bytes = tree.bytes();
+            batch.next();
+            if (!newest || settings.snapshot_seconds > 0 || rule.target_error) {
+                // The next batch may begin meanwhile, unless this picture decides whether it is wanted.
+                if (!rule.target_error && !rule_holds()) open_batch();
+                publish_now(lock);
+                last_publication = Clock::now();
+            }
+        } else if (wanted) {
+            collect(lock);
+            publish_now(lock);
+            last_publication = Clock::now();
+        }
+        if (rule_holds()) run = false;
+    }
+}
+
+Engine::Engine(std::shared_ptr<const Scene> scene, const EngineSettings& settings)
+    : impl_(std::make_unique<Impl>(std::move(scene), settings)) {}
+
+Engine::~Engine() = default;
+
+void Engine::start(const StopRule& rule) {
+    const std::lock_guard lock(impl_->mutex);
+    BREWSTER_CHECK(impl_->done, "the engine runs already");
+    if (!impl_->started) {
+        impl_->started = true;
+        impl_->first_start = Clock::now();
+    }
+    impl_->rule = rule;
+    impl_->run = true;
+    impl_->done = false;
+    impl_->resumed = Clock::now();
+    impl_->work_to_do.notify_all();
+}
+
+void Engine::pause() {
+    std::unique_lock lock(impl_->mutex);
+    impl_->run = false;
+    impl_->something_done.notify_all();
+    impl_->something_done.wait(lock, [&] { return impl_->done; });
+}
+
+void Engine::resume() {
+    const std::lock_guard lock(impl_->mutex);
+    if (!impl_->done) return;
+    impl_->run = true;
+    impl_->done = false;
+    impl_->resumed = Clock::now();
+    impl_->work_to_do.notify_all();
+}
+
+void Engine::stop() { pause(); }
+
+bool Engine::wait_for(double seconds) {
+    std::unique_lock lock(impl_->mutex);
+    const bool done =
+        impl_->something_done.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return impl_->done; });
+    if (done && impl_->failure) std::rethrow_exception(impl_->failure);
+    return done;
+}
+
+void Engine::wait() {
+    while (!wait_for(3600)) {
+    }
+}
+
+std::shared_ptr<const Snapshot> Engine::snapshot() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->newest;
+}
+
+Progress Engine::progress() const {
+    const std::lock_guard lock(impl_->mutex);
+    const Impl& engine = *impl_;
+    Progress progress;
+    progress.photons = engine.next_photon;
+    progress.photons_by_thread = engine.photons_by_thread;
+    progress.useful_photons = engine.sums.counts.useful;
+    progress.bounces = engine.sums.counts.bounces;
+    progress.rays = engine.sums.counts.rays;
+    progress.trouble = engine.sums.counts.trouble;
+    progress.seconds = engine.seconds + (engine.done ? 0 : seconds_since(engine.resumed));
+    progress.first_snapshot_ms = engine.first_snapshot_ms;
+    progress.leaves = engine.tree_leaves;
+    progress.bytes = engine.tree_bytes;
+    progress.running = !engine.done;
+    if (engine.newest) {
+        progress.relative_error = engine.newest->relative_error;
+        progress.published_leaves = engine.newest->leaves.size() / BREWSTER_LEAF_TEXELS;
+    }
+    return progress;
+}
+
+Ledger Engine::ledger() const {
+    const std::lock_guard lock(impl_->mutex);
+    BREWSTER_CHECK(impl_->done, "the ledger is open while photons fly");
+    return impl_->sums.ledger;
+}
+
+std::string Engine::digest() const {
+    const std::lock_guard lock(impl_->mutex);
+    BREWSTER_CHECK(impl_->done, "the sums are open while photons fly");
+    const BinTree<2>& tree = impl_->tree;
+    const Tally<2>& pending = impl_->sums.bins;
+    Digest digest;
+    const auto add_wide = [&](Wide sum) {
+        digest.add(static_cast<std::uint64_t>(sum));
+        digest.add(static_cast<std::uint64_t>(sum >> 64));
+    };
+    for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
+        digest.add(std::uint64_t{tree.node(node).split} << 32 | tree.node(node).word);
+        const CellSums<2>& sums = tree.sums(node);
+        const bool leaf = tree.node(node).is_leaf();
+        const Quanta* estimate = leaf ? pending.estimate(tree.node(node).leaf()) : nullptr;
+        const Quanta* test = leaf ? pending.test(tree.node(node).leaf()) : nullptr;
+        for (std::size_t i = 0; i < sums.estimate.size(); ++i) add_wide(sums.estimate[i] + (leaf ? estimate[i] : 0));
+        for (std::size_t i = 0; i < sums.test.size(); ++i) add_wide(sums.test[i] + (leaf ? test[i] : 0));
+    }
+    return digest.hexadecimal();
+}
+
+const Scene& Engine::scene() const { return *impl_->scene; }
+const EngineSettings& Engine::settings() const { return impl_->settings; }
+
+}  // namespace brewster
