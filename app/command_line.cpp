@@ -59,9 +59,9 @@ void add_solve_options(CLI::App& verb, SolveOptions& options) {
     add_whole_number(verb, "--photons", "Stop after N photons (default 1e7)", 1, largest_photon_count,
                      [&](std::uint64_t photons) { options.stop.photons = photons; })
         ->type_name("N");
-    add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9,
-               [&](double seconds) { options.stop.seconds = seconds; })
-        ->type_name("S");
+    add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {
+        options.stop.seconds = seconds;
+    })->type_name("S");
     add_number(verb, "--target-error", "Stop at this relative standard error (0.01 is 1 %)", 1e-6, 1,
                [&](double error) { options.stop.target_error = error; })
         ->type_name("E");
@@ -69,30 +69,33 @@ void add_solve_options(CLI::App& verb, SolveOptions& options) {
                      [&](std::uint64_t threads) { options.engine.threads = static_cast<unsigned>(threads); })
         ->type_name("T");
     add_whole_number(verb, "--seed", "Seed of the random numbers (default 1)", 0,
-                     std::numeric_limits<std::uint64_t>::max(),
-                     [&](std::uint64_t seed) { options.engine.seed = seed; })
+                     std::numeric_limits<std::uint64_t>::max(), [&](std::uint64_t seed) { options.engine.seed = seed; })
         ->type_name("K");
-    add_number(verb, "--memory", "GiB for the bins (default 1)", 1.0 / 64, 4096,
-               [&](double gib) {
-                   options.engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
-               })
-        ->type_name("GIB");
+    add_number(verb, "--memory", "GiB for the bins (default 1)", 1.0 / 64, 4096, [&](double gib) {
+        options.engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
+    })->type_name("GIB");
     add_json(verb, options.json);
 }
 
 std::vector<Map> parse_maps(const std::vector<std::string>& names) {
-    static constexpr Map every_map[] = {Map::radiance};
     std::vector<Map> maps;
     std::vector<std::string> known = {"all"};
-    for (const Map map : every_map) known.emplace_back(map_name(map));
+    for (const MapDescription& entry : map_descriptions) known.emplace_back(entry.name);
     for (const std::string& name : names) {
-        const std::size_t before = maps.size();
-        for (const Map map : every_map) {
-            if (name == map_name(map) || name == "all") maps.push_back(map);
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            refuse("--map", name, "a map" + did_you_mean(name, known));
         }
-        if (maps.size() == before) refuse("--map", name, "a map" + did_you_mean(name, known));
+        for (const MapDescription& entry : map_descriptions) {
+            if (name == entry.name || name == "all") maps.push_back(entry.map);
+        }
     }
     return maps;
+}
+
+std::string map_list() {
+    std::string list;
+    for (const MapDescription& entry : map_descriptions) list += std::string(entry.name) + ", ";
+    return list + "or all";
 }
 
 void add_shot_options(CLI::App& verb, ShotOptions& options) {
@@ -113,7 +116,8 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
         ->type_name("WxH");
     verb.add_option_function<std::vector<std::string>>(
             "--map", [&](const std::vector<std::string>& names) { options.maps = parse_maps(names); },
-            "What to show: radiance (default), or all; may be repeated")
+            "What to show: " + map_list() + " (default " + std::string(map_descriptions.front().name) +
+                "); may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
     add_number(verb, "--exposure", "Stops brighter or darker than 1 cd/m2 = white (default: fits the first camera)",

@@ -16,8 +16,9 @@ std::string summary(const PictureDifference& difference) {
         if (!bands) continue;
         for (std::size_t i = 0; i < bands->size(); ++i) {
             const BandDifference& band = (*bands)[i];
-            text += "  S" + std::to_string(component) + "." + band_letters[i] + ": mean " + significant(band.mean_a, 5) +
-                    " against " + significant(band.mean_b, 5) + ", bias " + significant(band.bias);
+            text += "  S" + std::to_string(component) + "." + band_letters[i] + ": mean " +
+                    significant(band.mean_a, 5) + " against " + significant(band.mean_b, 5) + ", bias " +
+                    significant(band.bias);
             if (band.bias_standard_error) text += " +- " + significant(*band.bias_standard_error);
             text += ", rmse " + significant(band.rmse) + ", relative rmse " + significant(100 * band.relative_rmse) +
                     " %\n";

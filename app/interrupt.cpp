@@ -5,7 +5,9 @@ namespace {
 
 volatile std::sig_atomic_t signal_seen = 0;
 
-extern "C" void note_signal(int) { signal_seen = 1; }
+extern "C" void note_signal(int) {
+    signal_seen = 1;
+}
 
 }  // namespace
 
@@ -23,6 +25,8 @@ InterruptScope::~InterruptScope() {
     sigaction(SIGTERM, &before_terminate_, nullptr);
 }
 
-bool InterruptScope::interrupted() const { return signal_seen != 0; }
+bool InterruptScope::interrupted() const {
+    return signal_seen != 0;
+}
 
 }  // namespace brewster

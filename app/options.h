@@ -2,24 +2,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "app/numbers.h"
+#include "display/maps.h"
 #include "engine/engine.h"
 
 namespace brewster {
-
-/// What a picture shows of the light.
-enum class Map { radiance };
-
-constexpr std::string_view map_name(Map map) {
-    switch (map) {
-        case Map::radiance: return "radiance";
-    }
-    return "";
-}
 
 inline constexpr std::uint64_t default_photons = 10'000'000;
 
@@ -32,12 +22,12 @@ struct SolveOptions {
 
 struct ShotOptions {
     SolveOptions solve;
-    std::vector<std::string> cameras;    ///< empty: all
-    std::optional<PictureSize> size;     ///< none: default_picture_height and the camera's shape
+    std::vector<std::string> cameras;  ///< empty: all
+    std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
     std::vector<Map> maps = {Map::radiance};
-    std::optional<double> exposure;      ///< EV; none: found from the first camera of the scene
-    int samples = 64;                    ///< jittered draws a picture is the mean of
-    bool legend = true;                  ///< in PNG pictures
+    std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
+    int samples = 64;                ///< jittered draws a picture is the mean of
+    bool legend = true;              ///< in PNG pictures
     std::string out = "pictures/{camera}.png";
 };
 

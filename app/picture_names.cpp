@@ -33,7 +33,7 @@ std::string filled(const std::string& path_template, const std::string& camera, 
         if (placeholder == "{camera}") {
             path += camera_in_path;
         } else if (placeholder == "{map}") {
-            path += map_name(map);
+            path += description(map).name;
         } else {
             throw Error("the name holds '" + placeholder + "', which stands for nothing", "--out " + path_template,
                         "use {camera} and {map}");
@@ -45,7 +45,9 @@ std::string filled(const std::string& path_template, const std::string& camera, 
 
 }  // namespace
 
-bool is_exr(const std::string& path) { return ending(path) == ".exr"; }
+bool is_exr(const std::string& path) {
+    return ending(path) == ".exr";
+}
 
 std::vector<PictureName> name_pictures(const std::string& path_template, const std::vector<std::string>& cameras,
                                        const std::vector<Map>& maps) {

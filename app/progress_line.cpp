@@ -8,7 +8,8 @@ namespace brewster {
 
 double finished_share(const Progress& progress, const StopRule& rule) {
     double share = 0;
-    if (rule.photons) share = std::max(share, static_cast<double>(progress.photons) / static_cast<double>(*rule.photons));
+    if (rule.photons)
+        share = std::max(share, static_cast<double>(progress.photons) / static_cast<double>(*rule.photons));
     if (rule.seconds) share = std::max(share, progress.seconds / *rule.seconds);
     if (rule.target_error && progress.relative_error > 0) {
         const double ratio = *rule.target_error / progress.relative_error;

@@ -11,10 +11,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Names come from files and may hold bytes that are no UTF-8; those are replaced.
-std::string text_of(const Json& report) { return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string text_of(const Json& report) {
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
-Json list_of(glm::vec3 value) { return {value.x, value.y, value.z}; }
-Json list_of(glm::dvec3 value) { return {value.x, value.y, value.z}; }
+Json list_of(glm::vec3 value) {
+    return {value.x, value.y, value.z};
+}
+Json list_of(glm::dvec3 value) {
+    return {value.x, value.y, value.z};
+}
 
 Json account(const Ledger::Account& quanta) {
     Json bands = Json::array();
@@ -73,12 +79,9 @@ Json chart_object(const Scene& scene, const Chart& chart) {
 }
 
 Json band_object(const BandDifference& band) {
-    Json object = {{"mean", band.mean_a},
-                   {"reference_mean", band.mean_b},
-                   {"rmse", band.rmse},
-                   {"relative_rmse", band.relative_rmse},
-                   {"bias", band.bias},
-                   {"bias_standard_error", nullptr}};
+    Json object = {{"mean", band.mean_a}, {"reference_mean", band.mean_b},
+                   {"rmse", band.rmse},   {"relative_rmse", band.relative_rmse},
+                   {"bias", band.bias},   {"bias_standard_error", nullptr}};
     if (band.bias_standard_error) object["bias_standard_error"] = *band.bias_standard_error;
     return object;
 }
@@ -102,12 +105,14 @@ std::string decimal(Wide number) {
     return digits;
 }
 
-std::string solve_report(const SolveResult& result) { return text_of(solve_object(result)); }
+std::string solve_report(const SolveResult& result) {
+    return text_of(solve_object(result));
+}
 
 std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures) {
     Json files = Json::array();
     for (const PictureName& picture : pictures) {
-        files.push_back({{"camera", picture.camera}, {"map", map_name(picture.map)}, {"path", picture.path}});
+        files.push_back({{"camera", picture.camera}, {"map", description(picture.map).name}, {"path", picture.path}});
     }
     return text_of({{"pictures", files}, {"exposure", exposure}, {"solve", solve_object(result)}});
 }

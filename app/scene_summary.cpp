@@ -37,10 +37,15 @@ std::string described(const Lamp& lamp) {
     std::string text(lamp_kind_name(lamp.kind));
     text += ", " + listed(lamp.power) + " lm";
     switch (lamp.kind) {
-        case LampKind::area: break;
-        case LampKind::sun: text += ", " + listed(lamp.intensity) + " lx across the beam"; break;
+        case LampKind::area:
+            break;
+        case LampKind::sun:
+            text += ", " + listed(lamp.intensity) + " lx across the beam";
+            break;
         case LampKind::point:
-        case LampKind::spot: text += ", " + listed(lamp.intensity) + " cd on its axis"; break;
+        case LampKind::spot:
+            text += ", " + listed(lamp.intensity) + " cd on its axis";
+            break;
     }
     return text;
 }
@@ -49,10 +54,14 @@ std::string described(const Lamp& lamp) {
 
 std::string_view lamp_kind_name(LampKind kind) {
     switch (kind) {
-        case LampKind::area: return "area";
-        case LampKind::sun: return "sun";
-        case LampKind::point: return "point";
-        case LampKind::spot: return "spot";
+        case LampKind::area:
+            return "area";
+        case LampKind::sun:
+            return "sun";
+        case LampKind::point:
+            return "point";
+        case LampKind::spot:
+            return "spot";
     }
     return "";
 }

@@ -8,11 +8,13 @@
 #include "app/progress_line.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "embedded_app.h"
 
 namespace brewster {
 
 std::shared_ptr<const Scene> load_scene(const std::string& path) {
-    auto scene = std::make_shared<const Scene>(read_scene(path));
+    auto scene = std::make_shared<const Scene>(path.empty() ? read_scene_text(embedded::default_scene(), "cornell-box")
+                                                            : read_scene(path));
     for (const std::string& warning : scene->warnings) log_warning(warning);
     return scene;
 }

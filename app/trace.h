@@ -8,7 +8,7 @@
 
 namespace brewster {
 
-/// Reads the scene and passes its warnings on, as warnings of the program.
+/// Reads the scene (an empty path: the one in the binary) and passes its warnings on, as warnings of the program.
 std::shared_ptr<const Scene> load_scene(const std::string& path);
 
 /// Traces until the rule holds or someone presses Ctrl+C, with a progress bar where standard error is a terminal.

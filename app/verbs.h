@@ -9,5 +9,6 @@ void solve(const SolveOptions& options);
 void shot(const ShotOptions& options);
 void info(const InfoOptions& options);
 void compare_pictures(const CompareOptions& options);
+void view(const ViewerOptions& options);
 
 }  // namespace brewster

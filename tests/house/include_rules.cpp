@@ -12,14 +12,15 @@ namespace fs = std::filesystem;
 
 /// Foreign headers whose names begin like this belong to one folder of the house.
 const std::vector<std::pair<std::string, std::string>> home_of = {
-    {"GLFW/", "app"}, {"imgui", "app"}, {"backends/imgui", "app"}, {"glad/", "display"}, {"GL/", "display"}, {"CLI/", "app"},
+    {"GLFW/", "app"},     {"imgui", "app"},   {"backends/imgui", "app"},
+    {"glad/", "display"}, {"GL/", "display"}, {"CLI/", "app"},
 };
 
 /// Headers that take long to compile: each stands in one .cpp file of the house and in no header.
-const std::vector<std::string> heavy = {"CLI/",          "nlohmann/",           "tiny_gltf",  "OpenEXR/",
-                                        "Imf",           "spdlog/",             "imgui_impl", "backends/imgui_impl",
-                                        "stb_truetype",  "stb_image_write",     "stb_image.", "stb/stb_truetype",
-                                        "stb/stb_image_write", "stb/stb_image."};
+const std::vector<std::string> heavy = {
+    "CLI/",       "nlohmann/",        "tiny_gltf",           "OpenEXR/",      "Imf",
+    "spdlog/",    "imgui_impl",       "backends/imgui_impl", "stb_truetype",  "stb_image_write",
+    "stb_image.", "stb/stb_truetype", "stb/stb_image_write", "stb/stb_image."};
 
 std::string first_folder(const std::string& name) {
     const std::size_t slash = name.find('/');
@@ -31,7 +32,8 @@ std::string house_complaint(const SourceFile& file, const std::string& name, con
     if (name.starts_with("embedded_")) return "";
     const std::string folder = first_folder(name);
     if (folder != "shared" && !layers.contains(folder)) {
-        return file.path + " includes \"" + name + "\", which is in no folder of the house; foreign headers stand in <>";
+        return file.path + " includes \"" + name +
+               "\", which is in no folder of the house; foreign headers stand in <>";
     }
     const auto allowed = layers.find(file.folder);
     const bool along_an_edge = allowed != layers.end() && allowed->second.contains(folder);
