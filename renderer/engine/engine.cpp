@@ -52,7 +52,7 @@ struct Engine::Impl {
     const std::shared_ptr<const Scene> scene;
     const EngineSettings settings;
     const Rays rays;
-    const Emission emission;
+    const PhotonEmission emission;
     BinTree<2> tree;
     const ScalarTransport transport;
 

@@ -7,7 +7,8 @@ namespace brewster {
 
 /// A pinhole camera in scene coordinates (recentred, metres).
 struct Camera {
-    std::string name;
+    std::string name;       ///< of its node, made unique
+    std::string file_name;  ///< its own name in the file
     glm::vec3 position{0.0f};
     glm::vec3 forward{0.0f, 0.0f, -1.0f};  ///< unit
     glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< unit, orthogonal to forward
@@ -18,8 +19,9 @@ struct Camera {
     glm::vec3 right() const;  ///< cross(forward, up)
 };
 
-/// GL clip coordinates for a picture of this shape; `jitter` moves it by a fraction of a pixel, each in [-0.5, 0.5].
-/// `far_distance` is measured from the camera and must hold the scene.
+/// GL clip coordinates for a picture of this shape; `jitter` moves it right and down by a fraction of a pixel, each in
+/// [-0.5, 0.5]: the middle of pixel (i, j) then shows what ray_direction sees at (i + 0.5 - jitter_x, j + 0.5 -
+/// jitter_y). `far_distance` is measured from the camera and must hold the scene.
 glm::mat4 view_projection(const Camera& camera, int width, int height, float jitter_x, float jitter_y,
                           float far_distance);
 

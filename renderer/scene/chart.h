@@ -10,17 +10,26 @@ namespace brewster {
 /// One side of a planar set of triangles of one mesh and one material, with orthonormal coordinates on it.
 /// u and v run over [0, 1] across the bounding rectangle: position = origin + u size_u axis_u + v size_v axis_v.
 struct Chart {
-    std::string mesh;            ///< the node's name
+    std::string mesh;       ///< the node's name
+    std::string mesh_name;  ///< the mesh's own
     std::uint32_t material = 0;
-    std::uint32_t surface = 0;   ///< front and back of one plane share it; a ray that leaves a chart skips it
+    std::uint32_t surface = 0;  ///< front and back of one plane share it; a ray that leaves a chart skips it
     std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::triangles
     glm::vec3 origin{0.0f};
     glm::vec3 axis_u{1, 0, 0}, axis_v{0, 1, 0}, normal{0, 0, 1};  ///< right-handed, unit
-    float size_u = 1, size_v = 1;                                  ///< metres
-    double area = 0;                                               ///< m2, of the triangles
+    float size_u = 1, size_v = 1;                                 ///< metres
+    double area = 0;                                              ///< m2, of the triangles
 
-    glm::vec2 unit_coordinates(glm::vec3 position) const;
+    glm::vec2 unit_coordinates(glm::vec3 position) const;             ///< (u, v); outside [0, 1] beyond the rectangle
+    float size() const { return size_u > size_v ? size_u : size_v; }  ///< metres, what relative tolerances refer to
 };
+
+/// [0, 1] -> 24-bit fixed point, the coordinates that bins descend by; what lies outside is clamped to the border.
+/// The same arithmetic as fixed_point_of in shaders/shared/lookup.h.
+inline std::uint32_t chart_fixed_point(float unit) {
+    const float scaled = (unit < 0.0f ? 0.0f : unit > 1.0f ? 1.0f : unit) * 16777216.0f;
+    return static_cast<std::uint32_t>(scaled < 16777215.0f ? scaled : 16777215.0f);
+}
 
 /// A straight line on a chart, in its (u, v), along which another surface touches or crosses it.
 struct Contact {

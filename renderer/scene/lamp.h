@@ -8,18 +8,47 @@ namespace brewster {
 
 enum class LampKind { area, sun, point, spot };
 
-/// A source of light. Power is what the engine emits: for a sun, its irradiance times the projected bounds of the scene.
+/// A source of light. Power is what the engine emits: for a sun, its irradiance times the projected bounds of the
+/// scene.
 struct Lamp {
     LampKind kind = LampKind::area;
     std::string name;
-    glm::vec3 power{0.0f};      ///< lumen per band
-    glm::vec3 intensity{0.0f};  ///< area: radiance (cd/m2); sun: irradiance across the beam (lux); point, spot: cd on axis
-    glm::vec3 position{0.0f};   ///< point, spot
-    glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< sun, spot: unit, the way the light travels
+    glm::vec3 power{0.0f};  ///< lumen per band
+    glm::vec3 intensity{
+        0.0f};  ///< area: radiance (cd/m2); sun: irradiance across the beam (lux); point, spot: cd on axis
+    glm::vec3 position{0.0f};                  ///< point, spot
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};    ///< sun, spot: unit, the way the light travels
     float cos_inner = 1.0f, cos_outer = 0.0f;  ///< spot cone
     std::uint32_t chart = 0;                   ///< area: whose front side emits
 
     float mean_power() const { return (power.x + power.y + power.z) / 3.0f; }
 };
+
+/// Lumen per band. A spot: 2 pi I ((1 - cos inner) + (cos inner - cos outer)/3), from the falloff below.
+glm::vec3 point_power(glm::vec3 intensity);
+glm::vec3 spot_power(glm::vec3 intensity, float cos_inner, float cos_outer);
+
+/// Where a sun's photons start: a rectangle across the beam, upstream of the scene, that covers the projection of its
+/// bounds. Points are centre + s half_u + t half_v with s, t in [-1, 1].
+struct SunRectangle {
+    glm::vec3 centre{0.0f}, half_u{0.0f}, half_v{0.0f};
+    float area = 0;  ///< m2
+};
+
+/// `low`, `high`: the bounds of the scene; `direction`: unit, the way the light travels.
+SunRectangle sun_rectangle(glm::vec3 low, glm::vec3 high, glm::vec3 direction);
+
+/// Directions from two numbers in [0, 1), and their densities per steradian. Nothing here calls the C library's sine or
+/// cube root, so that a photon's bits depend on its numbers only.
+/// Cosine-distributed about the normal of a right-handed unit frame: density cos / pi.
+glm::vec3 sample_cosine(glm::vec3 axis_u, glm::vec3 axis_v, glm::vec3 normal, float x, float y);
+float pdf_cosine(glm::vec3 normal, glm::vec3 direction);
+/// Uniform over the sphere: density 1 / (4 pi).
+glm::vec3 sample_sphere(float x, float y);
+float pdf_sphere();
+/// Proportional to the falloff of a spot, ((cos - cos outer) / (cos inner - cos outer))^2 between the cones, 1 inside
+/// (KHR_lights_punctual), by inverting the cubic integral.
+glm::vec3 sample_spot(const Lamp& spot, float x, float y);
+float pdf_spot(const Lamp& spot, glm::vec3 direction);
 
 }  // namespace brewster

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/camera.h"
@@ -22,6 +23,7 @@ struct Triangle {
     std::array<std::uint32_t, 3> vertices{};
     std::uint32_t front_chart = no_chart, back_chart = no_chart;
     std::uint32_t surface = no_surface;
+    glm::vec3 margin{0.0f};  ///< least barycentric coordinates of a hit: 1e-6 of the chart's size inside each edge
 };
 
 /// What a file describes, ready for light: constant once read. Coordinates are the file's minus `centre`.
@@ -30,18 +32,26 @@ struct Scene {
     glm::dvec3 centre{0.0};
     glm::vec3 low{0.0f}, high{0.0f};  ///< bounds after recentring
     std::vector<glm::vec3> vertices;
-    std::vector<Triangle> triangles;            ///< those of one surface stand together
+    std::vector<Triangle> triangles;  ///< those of one surface stand together
     std::vector<Chart> charts;
     std::vector<std::vector<Contact>> contacts;  ///< per chart
     std::vector<Material> materials;
     std::vector<Lamp> lamps;
-    std::vector<Camera> cameras;  ///< never empty: a file without one gets the view "fit"
+    std::vector<Camera> cameras;        ///< never empty: a file without one gets the view "fit"
     std::vector<std::string> warnings;  ///< what is not simulated or was mended, a sentence each
 
     float radius() const;  ///< of the sphere around the origin that holds the bounds
 
     /// The camera of that name; an unknown name is an Error that lists the names there are.
     const Camera& camera(const std::string& camera_name) const;
+
+    /// The charts of the mesh of that name, both sides; an unknown name is an Error that lists the names there are.
+    std::vector<std::uint32_t> charts_of(const std::string& mesh_name) const;
+
+    glm::vec3 total_power() const;  ///< of all lamps, lumen per band
+
+    /// The point b0 A + b1 B + b2 C of a triangle, b0 = 1 - b1 - b2, pulled inside its edges by its margin.
+    glm::vec3 point_inside(const Triangle& triangle, float b1, float b2) const;
 };
 
 /// Reads a .gltf or .glb file. Throws Error in one sentence for a file that cannot be read or is not simulated.

@@ -4,43 +4,47 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "base/sobol.h"
 #include "bins/record.h"
-#include "scene/lamp.h"
+#include "scene/emission.h"
 #include "scene/rays.h"
 #include "scene/scene.h"
 
 namespace brewster {
 
-/// A photon as it leaves a lamp. Its weight has a band mean of 1: mean_power() / photons lumen a unit.
+/// A photon on its way. Its weight has a band mean of 1 at emission: mean_power() / photons lumen a unit.
 struct EmittedPhoton {
     Ray ray;
     glm::vec3 weight{0.0f};
 };
 
-/// Chooses lamps by their power and points and directions on them, by an Owen-scrambled Sobol sequence a replica
-/// (photon index mod 8): every prefix of the photons covers all lamps evenly.
-class Emission {
+/// Chooses lamps by their power and starts on them, by an Owen-scrambled Sobol sequence a replica (photon index mod 8):
+/// every prefix of the photons covers all lamps evenly.
+class PhotonEmission {
   public:
-    /// Dimensions of the sequence that emission uses; the next two are left for the first bounce.
+    /// Dimensions of the sequence that emission uses: the lamp, and four for the start. Those behind are free.
     static constexpr unsigned dimensions = 5;
 
-    Emission(const Scene& scene, std::uint64_t seed);
+    PhotonEmission(const Scene& scene, std::uint64_t seed);  ///< keeps a reference to the scene
 
-    /// False if no lamp of the scene has power.
-    bool any() const { return mean_power_ > 0; }
+    bool any() const { return mean_power_ > 0; }              ///< false if no lamp has power
     double mean_power() const { return mean_power_; }  ///< lumen, all lamps, mean of the bands
 
     EmittedPhoton sample(std::uint64_t photon) const;
 
-    /// Uniform in [0, 1): the Sobol number of this photon in one of its dimensions.
+    /// This photon's number in one dimension of its sequence, below sobol_dimensions; in [0, 1).
     float sobol(std::uint64_t photon, unsigned dimension) const;
 
   private:
+    std::uint32_t sobol_word(std::uint64_t photon, unsigned dimension) const;
+
     const Scene& scene_;
+    const LampSampler sampler_;
     std::uint64_t seed_;
     double mean_power_ = 0;
-    std::vector<float> cumulative_;  // share of the lamps up to and including each
-    std::array<std::array<std::uint32_t, 8>, replica_count> scrambles_{};
+    std::vector<std::uint64_t> cumulative_;  // in 2^-32: the share of the lamps up to and including each; ends in 2^32
+    std::vector<glm::vec3> weights_;         // per lamp
+    std::array<std::array<std::uint32_t, sobol_dimensions>, replica_count> scrambles_{};
 };
 
 }  // namespace brewster

@@ -5,8 +5,8 @@
 #include <glm/common.hpp>
 #include <span>
 
-#include "base/elementary.h"
 #include "base/philox.h"
+#include "scene/lamp.h"
 #include "transport/deposit.h"
 
 namespace brewster {
@@ -27,14 +27,6 @@ void book(Ledger::Account& account, const glm::vec3& weight) {
 void book(Ledger::Account& account, const glm::vec3& before, const glm::vec3& after) {
     for (int band = 0; band < band_count; ++band)
         account[static_cast<std::size_t>(band)] += to_quanta(before[band]) - to_quanta(after[band]);
-}
-
-/// Cosine-distributed direction about the chart's normal: a point on the unit disc, lifted to the hemisphere
-/// (sin theta = sqrt(xi); S. Sankaranarayanan 1997, eq. 7.11).
-glm::vec3 sample_cosine(const Chart& chart, float xi_radius, float xi_turn) {
-    const float sine = std::sqrt(xi_radius), cosine = std::sqrt(1.0f - xi_radius);
-    const SineCosine<float> turn = sincos_turns(xi_turn);
-    return chart.axis_u * (sine * turn.cosine) + chart.axis_v * (sine * turn.sine) + chart.normal * cosine;
 }
 
 }  // namespace
@@ -96,10 +88,10 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         }
 
         const bool first = bounce == 0;
-        const float xi_radius = first ? emission_.sobol(photon, Emission::dimensions) : unit_float(random[1]);
-        const float xi_turn = first ? emission_.sobol(photon, Emission::dimensions + 1) : unit_float(random[2]);
+        const float xi_radius = first ? emission_.sobol(photon, PhotonEmission::dimensions) : unit_float(random[1]);
+        const float xi_turn = first ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
         ray.origin = hit.position;
-        ray.direction = sample_cosine(chart, xi_radius, xi_turn);
+        ray.direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, xi_radius, xi_turn);
         ray.leaving = chart.surface;
     }
     book(sums.ledger.cut, weight);

@@ -31,7 +31,7 @@ struct WorkerSums {
 class ScalarTransport {
   public:
     /// Keeps references to all of them.
-    ScalarTransport(const Scene& scene, const Rays& rays, const Emission& emission, const BinTree<2>& tree,
+    ScalarTransport(const Scene& scene, const Rays& rays, const PhotonEmission& emission, const BinTree<2>& tree,
                     std::uint64_t seed)
         : scene_(scene), rays_(rays), emission_(emission), tree_(tree), seed_(seed) {}
 
@@ -42,7 +42,7 @@ class ScalarTransport {
   private:
     const Scene& scene_;
     const Rays& rays_;
-    const Emission& emission_;
+    const PhotonEmission& emission_;
     const BinTree<2>& tree_;
     std::uint64_t seed_;
 };

@@ -1,0 +1,150 @@
+#include "display/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "base/check.h"
+#include "display/gl_context.h"
+
+namespace brewster {
+namespace {
+
+/// Point `index` of the additive recurrence R2 (M. Roberts 2018, on the plastic number), centred: in [-0.5, 0.5)^2.
+glm::vec2 jitter(int index) {
+    constexpr double plastic = 1.32471795724474602596;
+    const auto coordinate = [&](double step) {
+        const double x = 0.5 + index * step;
+        return static_cast<float>(x - std::floor(x) - 0.5);
+    };
+    return {coordinate(1.0 / plastic), coordinate(1.0 / (plastic * plastic))};
+}
+
+/// Every camera member but its name.
+bool same_view(const Camera& a, const Camera& b) {
+    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
+           a.vertical_field_of_view == b.vertical_field_of_view && a.near_distance == b.near_distance;
+}
+
+void bind_texture(const Program& program, const char* uniform, int unit, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+    program.set(uniform, unit);
+}
+
+}  // namespace
+
+Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
+    : scene_(scene),
+      storage_(texel_storage(largest_buffer_texture)),
+      upload_(storage_),
+      materials_(TexelFormat::float4, storage_),
+      mesh_(scene),
+      chart_program_("chart.vert", "chart.frag", texel_defines(storage_)),
+      accumulate_program_("full_screen.vert", "accumulate.frag"),
+      screen_program_("full_screen.vert", "screen.frag"),
+      no_vertices_(VertexArray::create()) {
+    std::vector<glm::vec4> texels;
+    for (const Chart& chart : scene.charts) {
+        const Material& material = scene.materials[chart.material];
+        texels.emplace_back(material.albedo, 0.0f);
+        texels.emplace_back(material.emission, 0.0f);
+    }
+    materials_.reserve(texels.size());
+    materials_.write(0, texels.size(), texels.data());
+    check_gl("picture of " + scene.name);
+}
+
+void Picture::show(std::shared_ptr<const Snapshot> bins) {
+    BREWSTER_CHECK(bins && bins->charts.size() == scene_.charts.size(), scene_.name);
+    upload_.submit(std::move(bins));
+}
+
+bool Picture::upload(std::size_t bytes) {
+    const bool other_bins = upload_.advance(bytes);
+    if (other_bins) draws_ = 0;
+    check_gl("upload of the bins");
+    return other_bins;
+}
+
+void Picture::look(const Camera& camera, int width, int height) {
+    if (width != drawn_.width() || height != drawn_.height()) {
+        drawn_ = RenderTarget(width, height, 2, true);
+        sums_ = RenderTarget(width, height, 3, false);
+        draws_ = 0;
+    }
+    if (!same_view(camera, camera_)) draws_ = 0;
+    camera_ = camera;
+}
+
+void Picture::draw(int count) {
+    BREWSTER_CHECK(drawn_.width() > 0, "look first");
+    for (int i = 0; i < count; ++i) draw_once();
+    check_gl("picture of " + scene_.name);
+}
+
+void Picture::draw_once() {
+    drawn_.bind();
+    drawn_.clear();
+    if (upload_.drawn()) {
+        const glm::vec2 offset = jitter(draws_);
+        const float far_distance = 1.01f * (glm::length(camera_.position) + scene_.radius());
+        chart_program_.set("view_projection",
+                           view_projection(camera_, drawn_.width(), drawn_.height(), offset.x, offset.y, far_distance));
+        upload_.bind(chart_program_, 0);
+        materials_.bind(chart_program_, "chart_materials", 3);
+        mesh_.draw();
+    }
+    sums_.bind();
+    if (draws_ == 0) sums_.clear();
+    bind_texture(accumulate_program_, "drawn_radiance", 0, drawn_.texture(0));
+    bind_texture(accumulate_program_, "drawn_variance", 1, drawn_.texture(1));
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+    ++draws_;
+}
+
+Image Picture::stokes() const {
+    BREWSTER_CHECK(draws_ > 0, "draw first");
+    const std::vector<float> sum = sums_.read(0), squares = sums_.read(1), variances = sums_.read(2);
+    check_gl("reading the picture");
+    Image image(drawn_.width(), drawn_.height());
+    for (int component = 0; component < 4; ++component) {
+        for (int band = 0; band < 3; ++band) image.add_channel(stokes_channel(component, band));
+    }
+    for (int component = 0; component < 4; ++component) {
+        for (int band = 0; band < 3; ++band) image.add_channel(variance_channel(component, band));
+    }
+    const double n = draws_;
+    for (int band = 0; band < 3; ++band) {
+        std::vector<float>& radiance = image.channel(stokes_channel(0, band));
+        std::vector<float>& variance = image.channel(variance_channel(0, band));
+        for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+            const std::size_t i = 4 * pixel + static_cast<std::size_t>(band);
+            const double mean = static_cast<double>(sum[i]) / n;
+            const double spread = draws_ < 2 ? 0 : std::max(0.0, static_cast<double>(squares[i]) / n - mean * mean);
+            radiance[pixel] = static_cast<float>(mean);
+            variance[pixel] = static_cast<float>(static_cast<double>(variances[i]) / n + spread / std::max(1.0, n - 1));
+        }
+    }
+    return image;
+}
+
+void Picture::present(const Screen& screen, float exposure) const {
+    screen.bind();
+    screen.clear();
+    if (draws_ == 0) return;
+    bind_texture(screen_program_, "sum", 0, sums_.texture(0));
+    screen_program_.set("draws", static_cast<float>(draws_));
+    screen_program_.set("exposure", exposure);
+    screen_program_.set("screen_size", glm::vec2(screen.width(), screen.height()));
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    check_gl("showing the picture");
+}
+
+}  // namespace brewster

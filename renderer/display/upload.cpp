@@ -1,0 +1,62 @@
+#include "display/upload.h"
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace brewster {
+namespace {
+
+/// Sends the next elements of `texels`, as far as `bytes` go, and takes them off both accounts.
+template <class Texel>
+void send(const std::vector<Texel>& texels, TexelArray& target, std::size_t& done, std::size_t& bytes) {
+    static_assert(sizeof(Texel) == 8 || sizeof(Texel) == 16);
+    const std::size_t count = std::min(texels.size() - done, bytes / sizeof(Texel));
+    target.write(done, count, texels.data() + done);
+    done += count;
+    bytes -= count * sizeof(Texel);
+}
+
+}  // namespace
+
+BinUpload::BinUpload(TexelStorage storage) : sides_{Side(storage), Side(storage)} {}
+
+void BinUpload::submit(std::shared_ptr<const Snapshot> bins) {
+    const std::shared_ptr<const Snapshot>& newest = waiting_ ? waiting_ : arriving_ ? arriving_ : drawn_;
+    if (!newest || newest->version != bins->version) waiting_ = std::move(bins);
+}
+
+void BinUpload::begin() {
+    arriving_ = std::move(waiting_);
+    waiting_ = nullptr;
+    nodes_done_ = leaves_done_ = 0;
+    Side& side = sides_[1 - drawn_side_];
+    side.nodes.reserve(arriving_->nodes.size());
+    side.leaves.reserve(arriving_->leaves.size());
+    std::vector<glm::uvec2> roots;
+    for (const ChartBins& chart : arriving_->charts) roots.emplace_back(chart.direct_root, chart.indirect_root);
+    side.roots.reserve(roots.size());
+    side.roots.write(0, roots.size(), roots.data());
+}
+
+bool BinUpload::advance(std::size_t bytes) {
+    if (!arriving_ && !waiting_) return false;
+    if (!arriving_) begin();
+    Side& side = sides_[1 - drawn_side_];
+    send(arriving_->nodes, side.nodes, nodes_done_, bytes);
+    send(arriving_->leaves, side.leaves, leaves_done_, bytes);
+    if (nodes_done_ < arriving_->nodes.size() || leaves_done_ < arriving_->leaves.size()) return false;
+    drawn_ = std::move(arriving_);
+    arriving_ = nullptr;
+    drawn_side_ = 1 - drawn_side_;
+    return true;
+}
+
+void BinUpload::bind(const Program& program, int first_unit) const {
+    const Side& side = sides_[drawn_side_];
+    side.nodes.bind(program, "bin_nodes", first_unit);
+    side.leaves.bind(program, "bin_leaves", first_unit + 1);
+    side.roots.bind(program, "chart_roots", first_unit + 2);
+}
+
+}  // namespace brewster

@@ -1,0 +1,87 @@
+#include "scene/emission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace brewster {
+namespace {
+
+std::vector<float> cumulative_areas(const Scene& scene, const Chart& chart) {
+    std::vector<double> sums;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
+        const Triangle& triangle = scene.triangles[chart.first_triangle + i];
+        const glm::dvec3 a(scene.vertices[triangle.vertices[0]]), b(scene.vertices[triangle.vertices[1]]),
+            c(scene.vertices[triangle.vertices[2]]);
+        sums.push_back(sum += 0.5 * glm::length(glm::cross(b - a, c - a)));
+    }
+    std::vector<float> shares;
+    for (const double area : sums) shares.push_back(static_cast<float>(area / sum));
+    shares.back() = 1.0f;
+    return shares;
+}
+
+// The point of a triangle for two numbers, by folding the unit square's far half back: barycentric b1, b2.
+// Unlike the square root, this keeps a lattice of numbers a lattice of points.
+std::array<float, 2> fold(float x, float y) {
+    if (x + y > 1.0f) return {1.0f - x, 1.0f - y};
+    return {x, y};
+}
+
+}  // namespace
+
+LampSampler::LampSampler(const Scene& scene) : scene_(scene) {
+    for (const Lamp& lamp : scene.lamps) {
+        cumulative_.push_back(lamp.kind == LampKind::area ? cumulative_areas(scene, scene.charts[lamp.chart])
+                                                          : std::vector<float>{});
+        suns_.push_back(lamp.kind == LampKind::sun ? sun_rectangle(scene.low, scene.high, lamp.direction)
+                                                   : SunRectangle{});
+    }
+}
+
+Emission LampSampler::emit(std::uint32_t index, const std::array<float, 4>& x) const {
+    const Lamp& lamp = scene_.lamps[index];
+    switch (lamp.kind) {
+        case LampKind::area: {
+            const Chart& chart = scene_.charts[lamp.chart];
+            const std::vector<float>& shares = cumulative_[index];
+            const auto k =
+                static_cast<std::size_t>(std::upper_bound(shares.begin(), shares.end(), x[0]) - shares.begin());
+            const float before = k ? shares[k - 1] : 0.0f;
+            const Triangle& triangle = scene_.triangles[chart.first_triangle + k];
+            const auto [b1, b2] = fold((x[0] - before) / (shares[k] - before), x[1]);
+            return {scene_.point_inside(triangle, b1, b2),
+                    sample_cosine(chart.axis_u, chart.axis_v, chart.normal, x[2], x[3]), chart.surface};
+        }
+        case LampKind::sun: {
+            const SunRectangle& sun = suns_[index];
+            return {sun.centre + (2.0f * x[0] - 1.0f) * sun.half_u + (2.0f * x[1] - 1.0f) * sun.half_v, lamp.direction,
+                    no_surface};
+        }
+        case LampKind::point:
+            return {lamp.position, sample_sphere(x[2], x[3]), no_surface};
+        case LampKind::spot:
+            return {lamp.position, sample_spot(lamp, x[2], x[3]), no_surface};
+    }
+    return {};
+}
+
+float LampSampler::pdf(std::uint32_t index, glm::vec3 direction) const {
+    const Lamp& lamp = scene_.lamps[index];
+    switch (lamp.kind) {
+        case LampKind::area: {
+            const Chart& chart = scene_.charts[lamp.chart];
+            return pdf_cosine(chart.normal, direction) / static_cast<float>(chart.area);
+        }
+        case LampKind::sun:
+            return 1.0f / suns_[index].area;
+        case LampKind::point:
+            return pdf_sphere();
+        case LampKind::spot:
+            return pdf_spot(lamp, direction);
+    }
+    return 0.0f;
+}
+
+}  // namespace brewster

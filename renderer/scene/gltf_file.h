@@ -1,0 +1,86 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brewster {
+
+/// A glTF 2.0 file as it stands in the text, before anything is believed: names are those of the specification,
+/// an absent index is -1, and every other index may point anywhere until `validate` has passed.
+struct GltfBufferView {
+    int buffer = -1;
+    std::size_t byte_offset = 0, byte_length = 0, byte_stride = 0;  ///< stride 0: tightly packed
+};
+
+struct GltfAccessor {
+    int buffer_view = -1;
+    std::size_t byte_offset = 0, count = 0;
+    int component_type = 0;  ///< 5120 .. 5126
+    int components = 0;      ///< numbers an element; 0 for an unknown type
+    bool sparse = false;
+};
+
+struct GltfPrimitive {
+    std::map<std::string, int> attributes;
+    int indices = -1, material = -1, mode = 4;
+    bool has_morph_targets = false;
+};
+
+struct GltfMesh {
+    std::string name;
+    std::vector<GltfPrimitive> primitives;
+};
+
+struct GltfNode {
+    std::string name;
+    int mesh = -1, camera = -1, light = -1, skin = -1;
+    std::vector<int> children;
+    std::vector<double> matrix;  ///< column-major, 16 numbers or none
+    std::vector<double> translation, rotation, scale;
+};
+
+struct GltfMaterial {
+    std::string name;
+    std::vector<double> base_color{1, 1, 1, 1}, emissive{0, 0, 0};
+    double metallic = 1, roughness = 1;
+    double emissive_strength = 1;  ///< KHR_materials_emissive_strength
+    double specular = 1;           ///< KHR_materials_specular
+    double ior = 1.5;              ///< KHR_materials_ior
+    std::string alpha_mode = "OPAQUE";
+    bool double_sided = false;
+    std::vector<std::string> textures;    ///< the properties that name one
+    std::vector<std::string> extensions;  ///< all of its extensions
+};
+
+struct GltfCamera {
+    std::string name, type;
+    double vertical_field_of_view = 0, near_distance = 0;
+};
+
+/// KHR_lights_punctual.
+struct GltfLight {
+    std::string name, type;
+    std::vector<double> color{1, 1, 1};
+    double intensity = 1, range = 0, inner_cone_angle = 0, outer_cone_angle = 0;
+};
+
+struct GltfFile {
+    std::vector<std::vector<unsigned char>> buffers;
+    std::vector<GltfBufferView> buffer_views;
+    std::vector<GltfAccessor> accessors;
+    std::vector<GltfMesh> meshes;
+    std::vector<GltfNode> nodes;
+    std::vector<GltfMaterial> materials;
+    std::vector<GltfCamera> cameras;
+    std::vector<GltfLight> lights;
+    std::vector<std::vector<int>> scenes;  ///< root nodes
+    int scene = -1;
+    std::vector<std::string> extensions_used, extensions_required;
+    bool has_animations = false;
+};
+
+}  // namespace brewster

@@ -1,0 +1,227 @@
+#include "scene/gltf_parse.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <tiny_gltf.h>
+#pragma GCC diagnostic pop
+
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "base/error.h"
+#include "scene/gltf_text.h"
+
+namespace brewster {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<unsigned char>;
+
+// What tinygltf may open: files below one folder, links followed first.
+struct Folder {
+    fs::path path;
+    std::string refused;  // the first file outside
+};
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+    const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::canonical(folder));
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+bool file_exists(const std::string& name, void* user) {
+    Folder& folder = *static_cast<Folder*>(user);
+    std::error_code unreadable;
+    if (folder.path.empty() || !fs::is_regular_file(name, unreadable)) return false;
+    if (is_below(name, folder.path)) return true;
+    if (folder.refused.empty()) folder.refused = name;
+    return false;
+}
+
+std::string keep_path(const std::string& name, void*) {
+    return name;
+}
+
+bool read_whole_file(Bytes* bytes, std::string* fault, const std::string& name, void*) {
+    std::ifstream stream(name, std::ios::binary);
+    bytes->assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    if (stream) return true;
+    *fault = "cannot be read";
+    return false;
+}
+
+bool write_nothing(std::string*, const std::string&, const Bytes&, void*) {
+    return false;
+}
+
+bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+    return true;
+}
+
+// The parser's complaints as part of one sentence; it likes to repeat whole data URIs.
+std::string one_sentence(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    constexpr std::size_t longest = 160;
+    if (text.size() > longest) text = text.substr(0, longest) + "...";
+    return text;
+}
+
+// The JSON chunk of a .glb file: 12 bytes of header, length, "JSON".
+std::string_view json_chunk(std::span<const unsigned char> bytes, const std::string& where) {
+    std::uint32_t length = 0;
+    if (bytes.size() >= 20) std::memcpy(&length, bytes.data() + 12, 4);
+    if (length == 0 || length > bytes.size() - 20)
+        throw Error("its binary glTF header is broken", where, "export the file again");
+    return {reinterpret_cast<const char*>(bytes.data()) + 20, length};
+}
+
+int component_count(int type) {
+    switch (type) {
+        case TINYGLTF_TYPE_SCALAR:
+            return 1;
+        case TINYGLTF_TYPE_VEC2:
+            return 2;
+        case TINYGLTF_TYPE_VEC3:
+            return 3;
+        case TINYGLTF_TYPE_VEC4:
+            return 4;
+        default:
+            return 0;  // matrices: nothing that is read here uses them
+    }
+}
+
+const tinygltf::Value* property(const tinygltf::ExtensionMap& extensions, const std::string& extension,
+                                const std::string& name) {
+    const auto found = extensions.find(extension);
+    if (found == extensions.end() || !found->second.Has(name)) return nullptr;
+    return &found->second.Get(name);
+}
+
+double number(const tinygltf::ExtensionMap& extensions, const std::string& extension, const std::string& name,
+              double absent) {
+    const tinygltf::Value* value = property(extensions, extension, name);
+    return value ? value->GetNumberAsDouble() : absent;
+}
+
+GltfAccessor accessor_of(const tinygltf::Accessor& from) {
+    GltfAccessor accessor;
+    accessor.buffer_view = from.bufferView;
+    accessor.byte_offset = from.byteOffset;
+    accessor.count = from.count;
+    accessor.component_type = from.componentType;
+    accessor.components = component_count(from.type);
+    accessor.sparse = from.sparse.isSparse;
+    return accessor;
+}
+
+GltfMesh mesh_of(const tinygltf::Mesh& from) {
+    GltfMesh mesh{from.name, {}};
+    for (const tinygltf::Primitive& primitive : from.primitives)
+        mesh.primitives.push_back(
+            {primitive.attributes, primitive.indices, primitive.material, primitive.mode, !primitive.targets.empty()});
+    return mesh;
+}
+
+GltfNode node_of(const tinygltf::Node& from) {
+    GltfNode node;
+    node.name = from.name;
+    node.mesh = from.mesh;
+    node.camera = from.camera;
+    node.skin = from.skin;
+    node.children = from.children;
+    node.matrix = from.matrix;
+    node.translation = from.translation;
+    node.rotation = from.rotation;
+    node.scale = from.scale;
+    if (const tinygltf::Value* light = property(from.extensions, "KHR_lights_punctual", "light"))
+        node.light = light->GetNumberAsInt();
+    return node;
+}
+
+GltfMaterial material_of(const tinygltf::Material& from) {
+    GltfMaterial material;
+    material.name = from.name;
+    material.base_color = from.pbrMetallicRoughness.baseColorFactor;
+    if (!from.emissiveFactor.empty()) material.emissive = from.emissiveFactor;
+    material.metallic = from.pbrMetallicRoughness.metallicFactor;
+    material.roughness = from.pbrMetallicRoughness.roughnessFactor;
+    material.emissive_strength =
+        number(from.extensions, "KHR_materials_emissive_strength", "emissiveStrength", material.emissive_strength);
+    material.specular = number(from.extensions, "KHR_materials_specular", "specularFactor", material.specular);
+    material.ior = number(from.extensions, "KHR_materials_ior", "ior", material.ior);
+    material.alpha_mode = from.alphaMode;
+    material.double_sided = from.doubleSided;
+    if (from.pbrMetallicRoughness.baseColorTexture.index >= 0) material.textures.push_back("baseColorTexture");
+    if (from.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0)
+        material.textures.push_back("metallicRoughnessTexture");
+    if (from.normalTexture.index >= 0) material.textures.push_back("normalTexture");
+    if (from.occlusionTexture.index >= 0) material.textures.push_back("occlusionTexture");
+    if (from.emissiveTexture.index >= 0) material.textures.push_back("emissiveTexture");
+    for (const auto& [name, value] : from.extensions) material.extensions.push_back(name);
+    return material;
+}
+
+GltfLight light_of(const tinygltf::Light& from) {
+    GltfLight light{from.name, from.type, from.color, from.intensity, from.range, 0, 0};
+    if (light.color.empty()) light.color = {1, 1, 1};
+    light.inner_cone_angle = from.spot.innerConeAngle;
+    light.outer_cone_angle = from.spot.outerConeAngle;
+    return light;
+}
+
+GltfFile file_of(tinygltf::Model&& from) {
+    GltfFile file;
+    for (tinygltf::Buffer& buffer : from.buffers) file.buffers.push_back(std::move(buffer.data));
+    for (const tinygltf::BufferView& view : from.bufferViews)
+        file.buffer_views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
+    for (const tinygltf::Accessor& accessor : from.accessors) file.accessors.push_back(accessor_of(accessor));
+    for (const tinygltf::Mesh& mesh : from.meshes) file.meshes.push_back(mesh_of(mesh));
+    for (const tinygltf::Node& node : from.nodes) file.nodes.push_back(node_of(node));
+    for (const tinygltf::Material& material : from.materials) file.materials.push_back(material_of(material));
+    for (const tinygltf::Camera& camera : from.cameras)
+        file.cameras.push_back({camera.name, camera.type, camera.perspective.yfov, camera.perspective.znear});
+    for (const tinygltf::Light& light : from.lights) file.lights.push_back(light_of(light));
+    for (const tinygltf::Scene& scene : from.scenes) file.scenes.push_back(scene.nodes);
+    file.scene = from.defaultScene;
+    file.extensions_used = from.extensionsUsed;
+    file.extensions_required = from.extensionsRequired;
+    file.has_animations = !from.animations.empty();
+    return file;
+}
+
+}  // namespace
+
+GltfFile parse_gltf(std::span<const unsigned char> bytes, const fs::path& folder, const std::string& where) {
+    const bool binary = bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+    if (bytes.size() > std::numeric_limits<unsigned>::max())
+        throw Error("it is larger than 4 GB", where, "split it, or keep its buffers in files of their own");
+    const auto* text = reinterpret_cast<const char*>(bytes.data());
+    check_gltf_text(binary ? json_chunk(bytes, where) : std::string_view(text, bytes.size()), where);
+
+    Folder allowed{folder, {}};
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks({file_exists, keep_path, read_whole_file, write_nothing, &allowed});
+    parser.SetImageLoader(skip_image, nullptr);
+    tinygltf::Model model;
+    std::string faults, remarks;
+    bool parsed = false;
+    try {
+        const auto size = static_cast<unsigned>(bytes.size());
+        parsed = binary ? parser.LoadBinaryFromMemory(&model, &faults, &remarks, bytes.data(), size, folder.string())
+                        : parser.LoadASCIIFromString(&model, &faults, &remarks, text, size, folder.string());
+    } catch (const std::exception& fault) {
+        faults += fault.what();
+    }
+    if (!allowed.refused.empty())
+        throw Error("it names \"" + allowed.refused + "\", which is not below its own folder", where,
+                    "move that file beside it");
+    // Some faults only shorten a list in the parser's eyes, so any complaint counts.
+    if (!parsed || !faults.empty())
+        throw Error("it is not valid glTF 2.0 (" + one_sentence(faults) + ")", where, "export the file again");
+    return file_of(std::move(model));
+}
+
+}  // namespace brewster

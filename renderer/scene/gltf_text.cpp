@@ -1,0 +1,207 @@
+#include "scene/gltf_text.h"
+
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/error.h"
+
+namespace brewster {
+namespace {
+
+using nlohmann::json;
+
+constexpr int deepest = 64;
+const char* const repair = "export the file again or mend it by hand";
+
+enum class Kind { index, size, number, boolean, string, indices };
+
+// Properties that are read, by name; the same name means the same wherever it is looked at.
+const std::map<std::string, Kind> kinds = {
+    {"accessor", Kind::index},
+    {"alphaCutoff", Kind::number},
+    {"alphaMode", Kind::string},
+    {"aspectRatio", Kind::number},
+    {"buffer", Kind::index},
+    {"bufferView", Kind::index},
+    {"byteLength", Kind::size},
+    {"byteOffset", Kind::size},
+    {"byteStride", Kind::size},
+    {"camera", Kind::index},
+    {"children", Kind::indices},
+    {"componentType", Kind::index},
+    {"count", Kind::size},
+    {"doubleSided", Kind::boolean},
+    {"emissiveStrength", Kind::number},
+    {"index", Kind::index},
+    {"innerConeAngle", Kind::number},
+    {"intensity", Kind::number},
+    {"ior", Kind::number},
+    {"joints", Kind::indices},
+    {"light", Kind::index},
+    {"material", Kind::index},
+    {"mesh", Kind::index},
+    {"metallicFactor", Kind::number},
+    {"mode", Kind::index},
+    {"name", Kind::string},
+    {"node", Kind::index},
+    {"nodes", Kind::indices},
+    {"outerConeAngle", Kind::number},
+    {"range", Kind::number},
+    {"sampler", Kind::index},
+    {"skin", Kind::index},
+    {"source", Kind::index},
+    {"texCoord", Kind::index},
+    {"specularFactor", Kind::number},
+    {"roughnessFactor", Kind::number},
+    {"uri", Kind::string},
+    {"yfov", Kind::number},
+    {"znear", Kind::number},
+    {"zfar", Kind::number},
+    {"normalized", Kind::boolean},
+};
+
+// Lists of numbers and their lengths.
+const std::map<std::string, std::size_t> lengths = {
+    {"baseColorFactor", 4}, {"emissiveFactor", 3}, {"color", 3}, {"matrix", 16}, {"rotation", 4}, {"translation", 3},
+};
+
+const std::set<std::string> object_lists = {"accessors", "animations", "bufferViews", "buffers",  "cameras",
+                                            "images",    "lights",     "materials",   "meshes",   "nodes",
+                                            "samplers",  "scenes",     "skins",       "textures", "primitives"};
+
+const std::set<std::string> read_extensions = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                               "KHR_materials_ior", "KHR_materials_specular"};
+
+class Checker {
+  public:
+    explicit Checker(const std::string& where) : where_(where) {}
+
+    void check_root(const json& root) {
+        if (!root.is_object()) wrong("the file", "is not a JSON object");
+        for (const auto& [key, value] : root.items()) {
+            if (key == "extras") continue;
+            if (key == "scene") {
+                check_kind(value, key, Kind::index);
+            } else if (key == "nodes") {
+                check_objects(value, key);
+            } else {
+                check_member(key, value, key);
+            }
+        }
+    }
+
+  private:
+    [[noreturn]] void wrong(const std::string& path, const std::string& fault) const {
+        throw Error("\"" + path + "\" " + fault, where_, repair);
+    }
+
+    void check_member(const std::string& key, const json& value, const std::string& path) const {
+        if (key == "extras") return;
+        if (key == "extensions") {
+            check_extensions(value, path);
+        } else if (object_lists.count(key) != 0 && !(key == "nodes")) {
+            check_objects(value, path);
+        } else if (const auto kind = kinds.find(key); kind != kinds.end()) {
+            check_kind(value, path, kind->second);
+        } else if (const auto length = lengths.find(key); length != lengths.end()) {
+            check_numbers(value, path, length->second);
+        } else if (key == "scale" && path.rfind("nodes[", 0) == 0) {
+            check_numbers(value, path, 3);  // a normal texture has a scale, too: one number
+        } else if (key == "attributes") {
+            check_attributes(value, path);
+        } else if (key == "indices" && !value.is_object()) {
+            check_kind(value, path, Kind::index);
+        } else if (value.is_object()) {
+            check_members(value, path);
+        }
+    }
+
+    void check_members(const json& object, const std::string& path) const {
+        for (const auto& [key, value] : object.items()) check_member(key, value, path + "." + key);
+    }
+
+    void check_objects(const json& list, const std::string& path) const {
+        if (!list.is_array()) wrong(path, "is not a list");
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const std::string here = path + "[" + std::to_string(i) + "]";
+            if (!list[i].is_object()) wrong(here, "is not an object");
+            check_members(list[i], here);
+        }
+    }
+
+    void check_extensions(const json& object, const std::string& path) const {
+        if (!object.is_object()) wrong(path, "is not an object");
+        for (const auto& [key, value] : object.items()) {
+            if (read_extensions.count(key) == 0) continue;
+            if (!value.is_object()) wrong(path + "." + key, "is not an object");
+            check_members(value, path + "." + key);
+        }
+    }
+
+    void check_attributes(const json& object, const std::string& path) const {
+        if (!object.is_object()) wrong(path, "is not an object");
+        for (const auto& [key, value] : object.items()) check_kind(value, path + "." + key, Kind::index);
+    }
+
+    void check_numbers(const json& list, const std::string& path, std::size_t length) const {
+        if (!list.is_array() || list.size() != length)
+            wrong(path, "is not a list of " + std::to_string(length) + " numbers");
+        for (const json& value : list)
+            if (!value.is_number()) wrong(path, "is not a list of " + std::to_string(length) + " numbers");
+    }
+
+    void check_kind(const json& value, const std::string& path, Kind kind) const {
+        switch (kind) {
+            case Kind::index:
+                check_integer(value, path, std::numeric_limits<std::int32_t>::max());
+                return;
+            case Kind::size:
+                check_integer(value, path, std::int64_t{1} << 48);
+                return;
+            case Kind::number:
+                if (!value.is_number()) wrong(path, "is not a number");
+                return;
+            case Kind::boolean:
+                if (!value.is_boolean()) wrong(path, "is neither true nor false");
+                return;
+            case Kind::string:
+                if (!value.is_string()) wrong(path, "is not a string");
+                return;
+            case Kind::indices:
+                if (!value.is_array()) wrong(path, "is not a list");
+                for (const json& index : value) check_kind(index, path, Kind::index);
+                return;
+        }
+    }
+
+    void check_integer(const json& value, const std::string& path, std::int64_t largest) const {
+        if (!value.is_number_integer()) wrong(path, "is not an integer");
+        if (value.is_number_unsigned()) {
+            if (value.get<std::uint64_t>() > static_cast<std::uint64_t>(largest))
+                wrong(path, "is " + value.dump() + ", too large");
+        } else {
+            wrong(path, "is " + value.dump() + ", below zero");
+        }
+    }
+
+    const std::string& where_;
+};
+
+}  // namespace
+
+void check_gltf_text(std::string_view text, const std::string& where) {
+    json root;
+    try {
+        root = json::parse(text, [&](int depth, json::parse_event_t, json&) {
+            if (depth > deepest) throw Error("its JSON is more than 64 levels deep", where, repair);
+            return true;
+        });
+    } catch (const json::exception& fault) {
+        throw Error(std::string("its JSON is broken (") + fault.what() + ")", where, repair);
+    }
+    Checker(where).check_root(root);
+}
+
+}  // namespace brewster

@@ -1,0 +1,126 @@
+#include "scene/lamp.h"
+
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/elementary.h"
+#include "base/units.h"
+#include "scene/bounding_rectangle.h"
+
+namespace brewster {
+namespace {
+
+constexpr float one_over_pi = static_cast<float>(1.0 / pi);
+
+// x^(1/3) for x in [0, 1]: a third of the exponent, then Halley's steps, each tripling the digits.
+float cube_root(float x) {
+    if (x <= 0.0f) return 0.0f;
+    float r = std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) / 3 + 709921077u);
+    for (int step = 0; step < 3; ++step) {
+        const float rrr = r * r * r;
+        r *= (rrr + 2.0f * x) / (2.0f * rrr + x);
+    }
+    return r;
+}
+
+// A unit vector across `axis`, from the coordinate axis it leans on least.
+glm::vec3 across(glm::vec3 axis) {
+    const glm::vec3 size = glm::abs(axis);
+    const glm::vec3 other = size.x <= size.y && size.x <= size.z ? glm::vec3(1, 0, 0)
+                            : size.y <= size.z                   ? glm::vec3(0, 1, 0)
+                                                                 : glm::vec3(0, 0, 1);
+    return glm::normalize(glm::cross(axis, other));
+}
+
+// Integral of the falloff over the cosine: between the cones, inside them.
+struct SpotShares {
+    float edge, core;
+};
+
+SpotShares spot_shares(float cos_inner, float cos_outer) {
+    return {(cos_inner - cos_outer) / 3.0f, 1.0f - cos_inner};
+}
+
+}  // namespace
+
+glm::vec3 point_power(glm::vec3 intensity) {
+    return static_cast<float>(4.0 * pi) * intensity;
+}
+
+glm::vec3 spot_power(glm::vec3 intensity, float cos_inner, float cos_outer) {
+    const SpotShares shares = spot_shares(cos_inner, cos_outer);
+    return static_cast<float>(2.0 * pi) * (shares.edge + shares.core) * intensity;
+}
+
+SunRectangle sun_rectangle(glm::vec3 low, glm::vec3 high, glm::vec3 direction) {
+    const glm::dvec3 along = glm::normalize(glm::dvec3(direction));
+    const glm::dvec3 x =
+        glm::normalize(glm::dvec3(across(direction)) - along * glm::dot(glm::dvec3(across(direction)), along));
+    const glm::dvec3 y = glm::cross(along, x);
+    std::vector<glm::dvec2> points;
+    double upstream = INFINITY, largest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z);
+        points.emplace_back(glm::dot(p, x), glm::dot(p, y));
+        upstream = std::min(upstream, glm::dot(p, along));
+        largest = std::max(largest, glm::length(p));
+    }
+    const BoundingRectangle box = smallest_rectangle(std::move(points));
+    const glm::dvec3 u = box.axis.x * x + box.axis.y * y, v = -box.axis.y * x + box.axis.x * y;
+    const glm::dvec3 corner = box.corner.x * x + box.corner.y * y + (upstream - 0.01 * largest) * along;
+    SunRectangle rectangle;
+    rectangle.half_u = glm::vec3(0.5 * box.length * u);
+    rectangle.half_v = glm::vec3(0.5 * box.width * v);
+    rectangle.centre = glm::vec3(corner + 0.5 * box.length * u + 0.5 * box.width * v);
+    rectangle.area = static_cast<float>(box.length * box.width);
+    return rectangle;
+}
+
+glm::vec3 sample_cosine(glm::vec3 axis_u, glm::vec3 axis_v, glm::vec3 normal, float x, float y) {
+    const float sine = std::sqrt(x), cosine = std::sqrt(1.0f - x);
+    const SineCosine<float> turn = sincos_turns(y);
+    return sine * turn.cosine * axis_u + sine * turn.sine * axis_v + cosine * normal;
+}
+
+float pdf_cosine(glm::vec3 normal, glm::vec3 direction) {
+    const float cosine = glm::dot(normal, direction);
+    return cosine > 0.0f ? cosine * one_over_pi : 0.0f;
+}
+
+glm::vec3 sample_sphere(float x, float y) {
+    const float z = 1.0f - 2.0f * x;
+    const float sine = 2.0f * std::sqrt(x * (1.0f - x));  // 1 - z z without cancellation at the poles
+    const SineCosine<float> turn = sincos_turns(y);
+    return {sine * turn.cosine, sine * turn.sine, z};
+}
+
+float pdf_sphere() {
+    return 0.25f * one_over_pi;
+}
+
+glm::vec3 sample_spot(const Lamp& spot, float x, float y) {
+    const SpotShares shares = spot_shares(spot.cos_inner, spot.cos_outer);
+    // Work with 1 - cos, which stays exact in narrow cones. x runs from the axis outwards.
+    const float wanted = x * (shares.edge + shares.core);
+    float versine = wanted;
+    if (wanted >= shares.core) {
+        const float rest = (shares.edge - (wanted - shares.core)) / shares.edge;  // falloff^(3/2)
+        versine = (1.0f - spot.cos_inner) + (1.0f - cube_root(rest)) * (spot.cos_inner - spot.cos_outer);
+    }
+    const float sine = std::sqrt(versine * (2.0f - versine));
+    const SineCosine<float> turn = sincos_turns(y);
+    const glm::vec3 u = across(spot.direction), v = glm::cross(spot.direction, u);
+    return sine * turn.cosine * u + sine * turn.sine * v + (1.0f - versine) * spot.direction;
+}
+
+float pdf_spot(const Lamp& spot, glm::vec3 direction) {
+    const float cosine = glm::dot(spot.direction, direction);
+    if (cosine <= spot.cos_outer) return 0.0f;
+    const float ramp = cosine >= spot.cos_inner ? 1.0f : (cosine - spot.cos_outer) / (spot.cos_inner - spot.cos_outer);
+    const SpotShares shares = spot_shares(spot.cos_inner, spot.cos_outer);
+    return ramp * ramp / (static_cast<float>(2.0 * pi) * (shares.edge + shares.core));
+}
+
+}  // namespace brewster

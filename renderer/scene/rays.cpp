@@ -1,0 +1,228 @@
+#include "scene/rays.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/seams.h"
+
+namespace brewster {
+namespace {
+
+// What Embree knows of a hit.
+struct RawHit {
+    unsigned primitive = RTC_INVALID_GEOMETRY_ID;
+    float distance = 0, b1 = 0, b2 = 0;
+};
+
+// A context whose filter rejects hits on one surface.
+struct LeavingContext {
+    RTCIntersectContext base;
+    const Scene* scene;
+    const std::vector<Seam>* seams;  // null: primitives are triangles
+    std::uint32_t leaving;
+
+    std::uint32_t surface_of(unsigned primitive) const {
+        return scene->triangles[seams ? (*seams)[primitive / 2].triangle : primitive].surface;
+    }
+};
+
+void reject_leaving(const RTCFilterFunctionNArguments* arguments) {
+    const auto& context = *reinterpret_cast<const LeavingContext*>(arguments->context);
+    for (unsigned i = 0; i < arguments->N; ++i)
+        if (arguments->valid[i] &&
+            context.surface_of(RTCHitN_primID(arguments->hit, arguments->N, i)) == context.leaving)
+            arguments->valid[i] = 0;
+}
+
+RTCRayHit embree_ray(const Ray& ray) {
+    RTCRayHit query{};
+    query.ray.org_x = ray.origin.x;
+    query.ray.org_y = ray.origin.y;
+    query.ray.org_z = ray.origin.z;
+    query.ray.dir_x = ray.direction.x;
+    query.ray.dir_y = ray.direction.y;
+    query.ray.dir_z = ray.direction.z;
+    query.ray.tfar = INFINITY;
+    query.ray.mask = 0xffffffffu;
+    query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    return query;
+}
+
+RawHit raw_hit(const RTCRayHit& query) {
+    return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+}
+
+}  // namespace
+
+struct Rays::Impl {
+    explicit Impl(const Scene& whole) : scene(whole), seams(open_seams(whole)) {
+        // Another instruction set gives other bits; robust: shared edges are watertight.
+        device = rtcNewDevice("isa=avx2,threads=1,verbose=0");
+        if (!device) throw Error("Embree does not start", "rays", "use a CPU with AVX2");
+        std::vector<std::array<std::uint32_t, 3>> indices;
+        for (const Triangle& triangle : scene.triangles) indices.push_back(triangle.vertices);
+        surfaces = commit(scene.vertices, indices);
+
+        std::vector<glm::vec3> corners;
+        indices.clear();
+        for (const Seam& seam : seams) {
+            const auto first = static_cast<std::uint32_t>(corners.size());
+            corners.insert(corners.end(), seam.corners.begin(), seam.corners.end());
+            indices.push_back({first, first + 1, first + 2});
+            indices.push_back({first, first + 2, first + 3});
+        }
+        if (!seams.empty()) edges = commit(corners, indices);
+    }
+
+    ~Impl() {
+        if (edges) rtcReleaseScene(edges);
+        if (surfaces) rtcReleaseScene(surfaces);
+        rtcReleaseDevice(device);
+    }
+
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    RTCScene commit(const std::vector<glm::vec3>& vertices,
+                    const std::vector<std::array<std::uint32_t, 3>>& indices) const {
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        void* vertex_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                      sizeof(glm::vec3), vertices.size());
+        void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                     sizeof indices[0], indices.size());
+        if (!vertex_buffer || !index_buffer) {
+            rtcReleaseGeometry(geometry);
+            throw Error("there is no memory for its ray tree", scene.name, "simplify its meshes");
+        }
+        std::copy(vertices.begin(), vertices.end(), static_cast<glm::vec3*>(vertex_buffer));
+        std::copy(indices.begin(), indices.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
+        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+        rtcCommitGeometry(geometry);
+        RTCScene tree = rtcNewScene(device);
+        rtcSetSceneFlags(tree,
+                         static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+        rtcSetSceneBuildQuality(tree, RTC_BUILD_QUALITY_HIGH);
+        rtcAttachGeometry(tree, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(tree);
+        if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
+            rtcReleaseScene(tree);
+            throw Error("Embree fails with code " + std::to_string(error), scene.name, "simplify its meshes");
+        }
+        return tree;
+    }
+
+    static RawHit trace(RTCScene tree, const Ray& ray) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit query = embree_ray(ray);
+        rtcIntersect1(tree, &context, &query);
+        return raw_hit(query);
+    }
+
+    RawHit trace_leaving(RTCScene tree, const std::vector<Seam>* of_seams, const Ray& ray) const {
+        LeavingContext context{{}, &scene, of_seams, ray.leaving};
+        rtcInitIntersectContext(&context.base);
+        context.base.filter = reject_leaving;
+        RTCRayHit query = embree_ray(ray);
+        rtcIntersect1(tree, &context.base, &query);
+        return raw_hit(query);
+    }
+
+    void trace_eight(const Ray* rays, std::size_t count, RawHit* hits) const {
+        alignas(32) int valid[8];
+        RTCRayHit8 query;
+        for (std::size_t i = 0; i < 8; ++i) {
+            const Ray& ray = rays[std::min(i, count - 1)];
+            valid[i] = i < count ? -1 : 0;
+            query.ray.org_x[i] = ray.origin.x;
+            query.ray.org_y[i] = ray.origin.y;
+            query.ray.org_z[i] = ray.origin.z;
+            query.ray.dir_x[i] = ray.direction.x;
+            query.ray.dir_y[i] = ray.direction.y;
+            query.ray.dir_z[i] = ray.direction.z;
+            query.ray.tnear[i] = query.ray.time[i] = 0.0f;
+            query.ray.tfar[i] = INFINITY;
+            query.ray.mask[i] = 0xffffffffu;
+            query.ray.id[i] = query.ray.flags[i] = 0;
+            query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcIntersect8(valid, surfaces, &context, &query);
+        for (std::size_t i = 0; i < count; ++i)
+            hits[i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};
+    }
+
+    // From the first answer to the hit: past the surface left, against the seams, onto the triangle.
+    Hit finished(const Ray& ray, RawHit raw) const {
+        if (raw.primitive != RTC_INVALID_GEOMETRY_ID && scene.triangles[raw.primitive].surface == ray.leaving)
+            raw = trace_leaving(surfaces, nullptr, ray);
+        if (raw.primitive != RTC_INVALID_GEOMETRY_ID) return hit_on(ray, raw.primitive, raw);
+        if (!edges) return {};
+        raw = trace_leaving(edges, &seams, ray);
+        if (raw.primitive == RTC_INVALID_GEOMETRY_ID) return {};
+        return hit_on(ray, seams[raw.primitive / 2].triangle, onto_triangle(raw));
+    }
+
+    // Barycentric coordinates on the seam's triangle of a point beside its edge; `point_inside` pulls them in.
+    RawHit onto_triangle(RawHit raw) const {
+        const Seam& seam = seams[raw.primitive / 2];
+        const bool second = raw.primitive % 2 != 0;
+        const glm::dvec3 s0(seam.corners[0]), s1(seam.corners[second ? 2 : 1]), s2(seam.corners[second ? 3 : 2]);
+        const glm::dvec3 p = s0 + static_cast<double>(raw.b1) * (s1 - s0) + static_cast<double>(raw.b2) * (s2 - s0);
+        const Triangle& triangle = scene.triangles[seam.triangle];
+        const glm::dvec3 a(scene.vertices[triangle.vertices[0]]);
+        const glm::dvec3 e1 = glm::dvec3(scene.vertices[triangle.vertices[1]]) - a;
+        const glm::dvec3 e2 = glm::dvec3(scene.vertices[triangle.vertices[2]]) - a;
+        const glm::dvec3 n = glm::cross(e1, e2);
+        raw.b1 = static_cast<float>(glm::dot(glm::cross(p - a, e2), n) / glm::dot(n, n));
+        raw.b2 = static_cast<float>(glm::dot(glm::cross(e1, p - a), n) / glm::dot(n, n));
+        return raw;
+    }
+
+    Hit hit_on(const Ray& ray, std::uint32_t index, const RawHit& raw) const {
+        const Triangle& triangle = scene.triangles[index];
+        const Chart& front = scene.charts[triangle.front_chart];
+        Hit hit;
+        hit.triangle = index;
+        hit.distance = raw.distance;
+        hit.position = scene.point_inside(triangle, raw.b1, raw.b2);
+        hit.chart = glm::dot(front.normal, ray.direction) < 0.0f ? triangle.front_chart : triangle.back_chart;
+        if (hit.chart == no_chart) return hit;
+        const glm::vec2 uv = scene.charts[hit.chart].unit_coordinates(hit.position);
+        hit.u = chart_fixed_point(uv.x);
+        hit.v = chart_fixed_point(uv.y);
+        return hit;
+    }
+
+    const Scene& scene;
+    const std::vector<Seam> seams;
+    RTCDevice device = nullptr;
+    RTCScene surfaces = nullptr, edges = nullptr;
+};
+
+Rays::Rays(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+Rays::~Rays() = default;
+
+void Rays::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
+    BREWSTER_CHECK(rays.size() == hits.size(),
+                   std::to_string(rays.size()) + " rays, " + std::to_string(hits.size()) + " hits");
+    if (rays.size() == 1) {
+        hits[0] = impl_->finished(rays[0], Impl::trace(impl_->surfaces, rays[0]));
+        return;
+    }
+    for (std::size_t first = 0; first < rays.size(); first += 8) {
+        const std::size_t count = std::min<std::size_t>(8, rays.size() - first);
+        RawHit raw[8];
+        impl_->trace_eight(&rays[first], count, raw);
+        for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->finished(rays[first + i], raw[i]);
+    }
+}
+
+}  // namespace brewster

@@ -1,0 +1,316 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "scene/accessor.h"
+#include "scene/contacts.h"
+#include "scene/gltf_parse.h"
+#include "scene/read_lamp.h"
+#include "scene/read_material.h"
+#include "scene/scene.h"
+#include "scene/surfaces.h"
+#include "scene/validate.h"
+
+namespace brewster {
+namespace {
+
+constexpr std::size_t most_triangles = 50'000'000;            // beyond, the ray tree alone takes gigabytes
+constexpr double smallest_scene = 1e-5, largest_scene = 1e8;  // metres; areas and powers stay well inside floats
+
+struct PlacedNode {
+    std::size_t index;
+    glm::dmat4 to_world;
+};
+
+// Vertices of one primitive in world coordinates, double, before the scene is recentred.
+struct PlacedPrimitive {
+    std::size_t node = 0;
+    std::string node_name, mesh_name;
+    std::uint32_t material = 0;
+    std::vector<glm::dvec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+glm::dmat4 local_transform(const GltfNode& node) {
+    glm::dmat4 transform(1.0);
+    if (!node.matrix.empty()) {
+        for (int i = 0; i < 16; ++i) transform[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+        return transform;
+    }
+    if (!node.rotation.empty())
+        transform = glm::mat4_cast(
+            glm::normalize(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])));
+    if (!node.scale.empty())
+        for (int k = 0; k < 3; ++k) transform[k] *= node.scale[static_cast<std::size_t>(k)];
+    if (!node.translation.empty())
+        transform[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
+    return transform;
+}
+
+// The nodes of the file's scene, or of all if it has none, parents first.
+std::vector<PlacedNode> placed_nodes(const GltfFile& file) {
+    std::vector<int> roots;
+    if (!file.scenes.empty()) {
+        roots = file.scenes[static_cast<std::size_t>(std::max(file.scene, 0))];
+    } else {
+        std::vector<bool> is_child(file.nodes.size(), false);
+        for (const GltfNode& node : file.nodes)
+            for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
+        for (std::size_t i = 0; i < file.nodes.size(); ++i)
+            if (!is_child[i]) roots.push_back(static_cast<int>(i));
+    }
+    std::vector<PlacedNode> nodes;
+    for (const int root : roots) nodes.push_back({static_cast<std::size_t>(root), glm::dmat4(1.0)});
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const GltfNode& node = file.nodes[nodes[i].index];
+        nodes[i].to_world = nodes[i].to_world * local_transform(node);
+        for (const int child : node.children) nodes.push_back({static_cast<std::size_t>(child), nodes[i].to_world});
+    }
+    return nodes;
+}
+
+std::string first_name(const std::string& node, const std::string& own, const std::string& kind, std::size_t index) {
+    if (!node.empty()) return node;
+    return own.empty() ? kind + " " + std::to_string(index) : own;
+}
+
+class Reader {
+  public:
+    Reader(const GltfFile& file, const std::string& where, const std::string& name)
+        : file_(file), where_(where), nodes_(placed_nodes(file)) {
+        scene_.name = name;
+    }
+
+    Scene read() {
+        warn_of_the_unread();
+        for (std::size_t i = 0; i < file_.materials.size(); ++i)
+            scene_.materials.push_back(read_material(file_.materials[i], i, scene_.warnings));
+        for (const PlacedNode& node : nodes_) place_mesh(node);
+        recentre();
+        add_parts();
+        place_lamps_and_cameras();
+        complete_lamps(scene_);
+        scene_.contacts = chart_contacts(scene_);
+        return std::move(scene_);
+    }
+
+  private:
+    void warn(const std::string& sentence) { scene_.warnings.push_back(sentence); }
+
+    void warn_of_the_unread() {
+        static const std::set<std::string> read = {
+            "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
+            "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
+            "BREWSTER_surface"};  // the last three are said of each material
+        for (const std::string& name : file_.extensions_used)
+            if (read.count(name) == 0) warn("the extension " + name + " is not read");
+        if (file_.has_animations) warn("animations are not played; the scene stands as its nodes say");
+    }
+
+    std::uint32_t default_material_index() {
+        if (default_material_ == no_chart) {
+            default_material_ = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.push_back(default_material());
+        }
+        return default_material_;
+    }
+
+    void place_mesh(const PlacedNode& placed) {
+        const GltfNode& node = file_.nodes[placed.index];
+        if (node.mesh < 0) return;
+        const GltfMesh& mesh = file_.meshes[static_cast<std::size_t>(node.mesh)];
+        const std::string name = first_name(node.name, mesh.name, "mesh", static_cast<std::size_t>(node.mesh));
+        const std::string subject = "mesh \"" + name + "\": ";
+        if (node.skin >= 0) warn(subject + "its skin is not read; it stands in its rest pose");
+        bool morphs = false, without_material = false, other_modes = false;
+        for (const GltfPrimitive& primitive : mesh.primitives) {
+            morphs = morphs || primitive.has_morph_targets;
+            if (primitive.mode != gltf_triangles) {
+                other_modes = true;
+                continue;
+            }
+            without_material = without_material || primitive.material < 0;
+            place_primitive(primitive, placed, name, mesh.name);
+        }
+        if (morphs) warn(subject + "its morph targets are not read");
+        if (without_material) warn(subject + "it has no material and gets Lambert of albedo 0.8");
+        if (other_modes)
+            warn(subject + "its points, lines, strips and fans are left out; only separate triangles are read");
+    }
+
+    void place_primitive(const GltfPrimitive& primitive, const PlacedNode& placed, const std::string& node_name,
+                         const std::string& mesh_name) {
+        const GltfAccessor& positions = accessor(primitive.attributes.at("POSITION"));
+        PlacedPrimitive part{placed.index, node_name, mesh_name, 0, {}, {}};
+        part.material =
+            primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
+        const bool mirrored = glm::determinant(glm::dmat3(placed.to_world)) < 0;
+        const std::size_t corners = primitive.indices < 0 ? positions.count : accessor(primitive.indices).count;
+        triangle_count_ += corners / 3;
+        if (triangle_count_ > most_triangles)
+            throw Error("it has more than 50 million triangles", where_, "simplify its meshes");
+
+        // Only vertices that a triangle names count, for the bounds, too.
+        constexpr std::uint32_t unused = 0xffffffffu;
+        std::vector<std::uint32_t> placed_vertex(positions.count, unused);
+        const auto vertex = [&](std::size_t corner) {
+            const std::uint32_t i = primitive.indices < 0 ? static_cast<std::uint32_t>(corner)
+                                                          : read_index(file_, accessor(primitive.indices), corner);
+            if (placed_vertex[i] == unused) {
+                placed_vertex[i] = static_cast<std::uint32_t>(part.vertices.size());
+                part.vertices.emplace_back(placed.to_world *
+                                           glm::dvec4(glm::dvec3(read_position(file_, positions, i)), 1.0));
+            }
+            return placed_vertex[i];
+        };
+        for (std::size_t corner = 0; corner < corners; corner += 3) {
+            std::array<std::uint32_t, 3> triangle = {vertex(corner), vertex(corner + 1), vertex(corner + 2)};
+            if (mirrored) std::swap(triangle[1], triangle[2]);
+            part.triangles.push_back(triangle);
+        }
+        if (!part.triangles.empty()) primitives_.push_back(std::move(part));
+    }
+
+    const GltfAccessor& accessor(int index) const { return file_.accessors[static_cast<std::size_t>(index)]; }
+
+    void recentre() {
+        if (primitives_.empty()) throw Error("it has no triangles", where_, "choose a file with surfaces");
+        glm::dvec3 low(INFINITY), high(-INFINITY);
+        for (const PlacedPrimitive& part : primitives_)
+            for (const glm::dvec3& p : part.vertices) {
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+        const double size = glm::length(high - low);
+        if (!(size > smallest_scene && size < largest_scene))
+            throw Error("it is " + std::to_string(size) + " m across", where_,
+                        "scale it to between 0.01 mm and 100000 km");
+        scene_.centre = 0.5 * (low + high);
+        scene_.low = glm::vec3(low - scene_.centre);
+        scene_.high = glm::vec3(high - scene_.centre);
+    }
+
+    // Primitives of one node and material become one part, so that their planes are charts together.
+    void add_parts() {
+        std::vector<Part> parts;
+        std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> known;
+        for (const PlacedPrimitive& primitive : primitives_) {
+            const auto [at, is_new] = known.try_emplace({primitive.node, primitive.material}, parts.size());
+            if (is_new) parts.push_back({primitive.node_name, primitive.mesh_name, primitive.material, {}, {}});
+            Part& part = parts[at->second];
+            const auto first = static_cast<std::uint32_t>(part.vertices.size());
+            for (const glm::dvec3& p : primitive.vertices) part.vertices.emplace_back(p - scene_.centre);
+            for (const auto& [a, b, c] : primitive.triangles)
+                part.triangles.push_back({first + a, first + b, first + c});
+        }
+        std::size_t without_area = 0;
+        for (const Part& part : parts) without_area += add_surfaces(scene_, part);
+        if (scene_.triangles.empty()) throw Error("none of its triangles has an area", where_, "export it again");
+        if (without_area > 0) warn(std::to_string(without_area) + " triangles without area are left out");
+    }
+
+    void place_lamps_and_cameras() {
+        for (const PlacedNode& placed : nodes_) {
+            const GltfNode& node = file_.nodes[placed.index];
+            glm::dmat4 to_scene = placed.to_world;
+            to_scene[3] -= glm::dvec4(scene_.centre, 0.0);
+            if (node.light >= 0) {
+                const GltfLight& light = file_.lights[static_cast<std::size_t>(node.light)];
+                const std::string name =
+                    first_name(node.name, light.name, "light", static_cast<std::size_t>(node.light));
+                scene_.lamps.push_back(read_lamp(light, name, to_scene, scene_.warnings));
+            }
+            if (node.camera >= 0) place_camera(node, to_scene);
+        }
+        if (scene_.cameras.empty()) scene_.cameras.push_back(fitting_camera());
+    }
+
+    void place_camera(const GltfNode& node, const glm::dmat4& to_scene) {
+        const GltfCamera& from = file_.cameras[static_cast<std::size_t>(node.camera)];
+        Camera camera;
+        camera.file_name = from.name;
+        camera.name = first_name(node.name, from.name, "camera", static_cast<std::size_t>(node.camera));
+        if (from.type != "perspective") {
+            warn("camera \"" + camera.name + "\": its type " + from.type + " is not simulated; it is left out");
+            return;
+        }
+        const glm::dvec3 forward = -glm::dvec3(to_scene[2]), up = glm::dvec3(to_scene[1]);
+        const glm::dvec3 upright = glm::cross(glm::cross(forward, up), forward);
+        if (!(glm::length(upright) > 0)) {
+            warn("camera \"" + camera.name + "\": its node has no extent, so it looks nowhere; it is left out");
+            return;
+        }
+        camera.position = glm::vec3(glm::dvec3(to_scene[3]));
+        camera.forward = glm::vec3(glm::normalize(forward));
+        camera.up = glm::vec3(glm::normalize(upright));
+        camera.vertical_field_of_view = static_cast<float>(from.vertical_field_of_view);
+        camera.near_distance = static_cast<float>(from.near_distance);
+        const std::string wanted = camera.name;
+        for (int k = 2; name_is_taken(camera.name); ++k) camera.name = wanted + " " + std::to_string(k);
+        if (camera.name != wanted)
+            warn("camera \"" + wanted + "\" is there twice; the second is called \"" + camera.name + "\"");
+        scene_.cameras.push_back(camera);
+    }
+
+    bool name_is_taken(const std::string& name) const {
+        return std::any_of(scene_.cameras.begin(), scene_.cameras.end(),
+                           [&](const Camera& camera) { return camera.name == name; });
+    }
+
+    // From the front, a little from above and the side, so far that the sphere around the bounds fills the height.
+    Camera fitting_camera() const {
+        Camera camera;
+        camera.name = "fit";
+        const glm::vec3 towards = glm::normalize(glm::vec3(0.35f, 0.3f, 1.0f));
+        const float distance = scene_.radius() / std::sin(0.5f * camera.vertical_field_of_view);
+        camera.position = distance * towards;
+        camera.forward = -towards;
+        camera.up = glm::normalize(glm::vec3(0, 1, 0) - towards.y * towards);
+        camera.near_distance = 0.01f * scene_.radius();
+        return camera;
+    }
+
+    const GltfFile& file_;
+    const std::string& where_;
+    Scene scene_;
+    std::vector<PlacedNode> nodes_;
+    std::vector<PlacedPrimitive> primitives_;
+    std::size_t triangle_count_ = 0;
+    std::uint32_t default_material_ = no_chart;
+};
+
+Scene read_bytes(std::span<const unsigned char> bytes, const std::filesystem::path& folder, const std::string& where,
+                 const std::string& name) {
+    const GltfFile file = parse_gltf(bytes, folder, where);
+    validate(file, where);
+    return Reader(file, where, name).read();
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path) {
+    std::error_code unreadable;
+    if (!std::filesystem::exists(path, unreadable)) throw Error("there is no such file", path, "check its name");
+    if (!std::filesystem::is_regular_file(path, unreadable))
+        throw Error("it is not a file", path, "name a .gltf or .glb file");
+    std::ifstream stream(path, std::ios::binary);
+    const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    if (!stream) throw Error("it cannot be read", path, "check its permissions");
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    return read_bytes(bytes, folder, path, std::filesystem::path(path).stem().string());
+}
+
+Scene read_scene_text(std::string_view text, const std::string& name) {
+    return read_bytes({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, {}, name, name);
+}
+
+}  // namespace brewster

@@ -1,0 +1,73 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+
+namespace brewster {
+namespace {
+
+std::string quoted_list(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "\"" : ", \"") + name + "\"";
+    return list;
+}
+
+}  // namespace
+
+float Scene::radius() const {
+    return glm::length(glm::max(glm::abs(low), glm::abs(high)));
+}
+
+const Camera& Scene::camera(const std::string& camera_name) const {
+    const auto of_node =
+        std::find_if(cameras.begin(), cameras.end(), [&](const Camera& camera) { return camera.name == camera_name; });
+    if (of_node != cameras.end()) return *of_node;
+    const auto is_own = [&](const Camera& camera) { return camera.file_name == camera_name; };
+    if (std::count_if(cameras.begin(), cameras.end(), is_own) == 1)
+        return *std::find_if(cameras.begin(), cameras.end(), is_own);
+    std::vector<std::string> names;
+    for (const Camera& camera : cameras) names.push_back(camera.name);
+    throw Error("it has no camera \"" + camera_name + "\"", name, "choose one of " + quoted_list(names));
+}
+
+std::vector<std::uint32_t> Scene::charts_of(const std::string& mesh_name) const {
+    std::vector<std::uint32_t> of_node, of_mesh;
+    std::vector<std::string> names, owners;
+    for (std::uint32_t i = 0; i < charts.size(); ++i) {
+        const Chart& chart = charts[i];
+        if (std::find(names.begin(), names.end(), chart.mesh) == names.end()) names.push_back(chart.mesh);
+        if (chart.mesh == mesh_name) of_node.push_back(i);
+        if (chart.mesh_name != mesh_name) continue;
+        of_mesh.push_back(i);
+        if (std::find(owners.begin(), owners.end(), chart.mesh) == owners.end()) owners.push_back(chart.mesh);
+    }
+    if (!of_node.empty()) return of_node;
+    if (owners.size() == 1) return of_mesh;
+    throw Error("it has no mesh \"" + mesh_name + "\"", name, "choose one of " + quoted_list(names));
+}
+
+glm::vec3 Scene::total_power() const {
+    glm::vec3 sum(0.0f);
+    for (const Lamp& lamp : lamps) sum += lamp.power;
+    return sum;
+}
+
+glm::vec3 Scene::point_inside(const Triangle& triangle, float b1, float b2) const {
+    float b[3] = {1.0f - b1 - b2, b1, b2};
+    float sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (b[k] < triangle.margin[k]) b[k] = triangle.margin[k];
+        sum += b[k];
+    }
+    int largest = b[1] > b[0] ? 1 : 0;
+    if (b[2] > b[largest]) largest = 2;
+    b[largest] -= sum - 1.0f;
+    const glm::vec3 p0 = vertices[triangle.vertices[0]];
+    const glm::vec3 e1 = vertices[triangle.vertices[1]] - p0, e2 = vertices[triangle.vertices[2]] - p0;
+    return p0 + b[1] * e1 + b[2] * e2;
+}
+
+}  // namespace brewster

@@ -1,0 +1,114 @@
+#include "scene/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/bounding_rectangle.h"
+#include "scene/planes.h"
+
+namespace brewster {
+namespace {
+
+// Below this height, relative to the longest edge, a triangle of floats has no plane to speak of.
+constexpr double flattest = 1e-7;
+// How far inside its edges a hit lies, of the chart's size, but never less than the rounding of its coordinates.
+constexpr double inset = 1e-6;
+constexpr double inset_of_coordinate = 0x1p-22;
+
+struct Shape {
+    glm::dvec3 edges;  ///< lengths, opposite to each vertex
+    double area;
+};
+
+Shape shape_of(const std::vector<glm::vec3>& vertices, const std::array<std::uint32_t, 3>& triangle) {
+    const glm::dvec3 a(vertices[triangle[0]]), b(vertices[triangle[1]]), c(vertices[triangle[2]]);
+    return {{glm::length(c - b), glm::length(a - c), glm::length(b - a)}, 0.5 * glm::length(glm::cross(b - a, c - a))};
+}
+
+bool has_area(const Shape& shape) {
+    const double longest = std::max({shape.edges.x, shape.edges.y, shape.edges.z});
+    return 2.0 * shape.area > flattest * longest * longest;
+}
+
+// A right-handed frame on the plane with the smallest rectangle around the triangles.
+Chart chart_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>& triangles, const PlaneGroup& plane) {
+    const glm::dvec3 n = plane.normal;
+    const glm::dvec3 lean = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 x = glm::normalize(lean - glm::dot(lean, n) * n), y = glm::cross(n, x);
+    std::vector<glm::dvec2> points;
+    double area = 0;
+    for (const std::uint32_t t : plane.triangles) {
+        area += shape_of(part.vertices, triangles[t]).area;
+        for (const std::uint32_t vertex : triangles[t]) {
+            const glm::dvec3 p(part.vertices[vertex]);
+            points.emplace_back(glm::dot(p, x), glm::dot(p, y));
+        }
+    }
+    const BoundingRectangle box = smallest_rectangle(std::move(points));
+    Chart chart;
+    chart.mesh = part.node_name;
+    chart.mesh_name = part.mesh_name;
+    chart.material = part.material;
+    chart.normal = glm::vec3(n);
+    chart.axis_u = glm::vec3(box.axis.x * x + box.axis.y * y);
+    chart.axis_v = glm::vec3(-box.axis.y * x + box.axis.x * y);
+    chart.origin = glm::vec3(box.corner.x * x + box.corner.y * y + plane.offset * n);
+    chart.size_u = static_cast<float>(box.length);
+    chart.size_v = static_cast<float>(box.width);
+    chart.area = area;
+    return chart;
+}
+
+// The other side: the same rectangle, axes exchanged to stay right-handed.
+Chart back_of(Chart chart) {
+    std::swap(chart.axis_u, chart.axis_v);
+    std::swap(chart.size_u, chart.size_v);
+    chart.normal = -chart.normal;
+    return chart;
+}
+
+glm::vec3 margin_of(const Shape& shape, const Chart& chart) {
+    const glm::vec3 far =
+        glm::abs(chart.origin) + glm::abs(chart.size_u * chart.axis_u) + glm::abs(chart.size_v * chart.axis_v);
+    const double delta = std::max(inset * static_cast<double>(chart.size()),
+                                  inset_of_coordinate * static_cast<double>(std::max({far.x, far.y, far.z})));
+    glm::vec3 margin;
+    for (int k = 0; k < 3; ++k) {
+        const double height = 2.0 * shape.area / shape.edges[k];
+        margin[k] = static_cast<float>(std::min(delta / height, 1.0 / 3.0));
+    }
+    return margin;
+}
+
+}  // namespace
+
+std::size_t add_surfaces(Scene& scene, const Part& part) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const auto& triangle : part.triangles)
+        if (has_area(shape_of(part.vertices, triangle))) triangles.push_back(triangle);
+
+    const auto first_vertex = static_cast<std::uint32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), part.vertices.begin(), part.vertices.end());
+    std::uint32_t surface = scene.triangles.empty() ? 0 : scene.triangles.back().surface + 1;
+    for (const PlaneGroup& plane : plane_groups(part.vertices, triangles)) {
+        Chart front = chart_of(part, triangles, plane);
+        front.surface = surface++;
+        front.first_triangle = static_cast<std::uint32_t>(scene.triangles.size());
+        front.triangle_count = static_cast<std::uint32_t>(plane.triangles.size());
+        Triangle sides;
+        sides.surface = front.surface;
+        sides.front_chart = static_cast<std::uint32_t>(scene.charts.size());
+        if (scene.materials[part.material].double_sided) sides.back_chart = sides.front_chart + 1;
+        for (const std::uint32_t t : plane.triangles) {
+            for (std::size_t k = 0; k < 3; ++k) sides.vertices[k] = first_vertex + triangles[t][k];
+            sides.margin = margin_of(shape_of(part.vertices, triangles[t]), front);
+            scene.triangles.push_back(sides);
+        }
+        scene.charts.push_back(front);
+        if (sides.back_chart != no_chart) scene.charts.push_back(back_of(front));
+    }
+    return part.triangles.size() - triangles.size();
+}
+
+}  // namespace brewster

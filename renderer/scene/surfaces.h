@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace brewster {
+
+/// All triangles of one node and one material, in scene coordinates; the front is counter-clockwise.
+struct Part {
+    std::string node_name, mesh_name;
+    std::uint32_t material = 0;
+    std::vector<glm::vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Adds a part's vertices and triangles to the scene, plane by plane, each with a front chart and, if the material is
+/// double-sided, a back chart. Facets of curved meshes become charts of their own; patches of several facets are not
+/// made yet. Triangles without area are left out; their number is returned.
+std::size_t add_surfaces(Scene& scene, const Part& part);
+
+}  // namespace brewster

@@ -1,0 +1,257 @@
+#include "scene/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "scene/accessor.h"
+
+namespace brewster {
+namespace {
+
+// Messages say `meshes[2].primitives[0].indices`: the path of the fault in the file.
+std::string item(const std::string& list, std::size_t i) {
+    return list + "[" + std::to_string(i) + "]";
+}
+
+struct Validator {
+    const GltfFile& file;
+    const std::string& where;
+
+    [[noreturn]] void wrong(const std::string& path, const std::string& fault) const {
+        throw Error("\"" + path + "\" " + fault, where, "export the file again or mend it by hand");
+    }
+
+    template <class Item>
+    void check_index(int index, const std::vector<Item>& list, const std::string& path,
+                     const std::string& list_name) const {
+        if (index < 0 || static_cast<std::size_t>(index) >= list.size())
+            wrong(path,
+                  "is " + std::to_string(index) + ", but there are " + std::to_string(list.size()) + " " + list_name);
+    }
+
+    template <class Item>
+    void check_optional_index(int index, const std::vector<Item>& list, const std::string& path,
+                              const std::string& list_name) const {
+        if (index != -1) check_index(index, list, path, list_name);
+    }
+
+    void check_range(double value, double low, double high, const std::string& path) const {
+        if (!(value >= low && value <= high)) wrong(path, "is " + std::to_string(value) + ", out of range");
+    }
+
+    void check_ranges(const std::vector<double>& values, std::size_t count, double low, double high,
+                      const std::string& path) const {
+        if (values.size() != count) wrong(path, "does not hold " + std::to_string(count) + " numbers");
+        for (const double value : values) check_range(value, low, high, path);
+    }
+
+    void check_optional_numbers(const std::vector<double>& values, std::size_t count, const std::string& path) const {
+        constexpr double largest = 1e12;  // anything further is not a scene, and its square still fits a float
+        if (!values.empty()) check_ranges(values, count, -largest, largest, path);
+    }
+
+    void check_extensions() const {
+        static const std::vector<std::string> readable = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
+                                                          "KHR_materials_ior", "KHR_materials_specular"};
+        for (const std::string& name : file.extensions_required)
+            if (std::find(readable.begin(), readable.end(), name) == readable.end())
+                throw Error("it requires the extension " + name + ", which is not read", where,
+                            "export the file without it");
+    }
+
+    void check_buffer_view(std::size_t i) const {
+        const GltfBufferView& view = file.buffer_views[i];
+        const std::string path = item("bufferViews", i);
+        check_index(view.buffer, file.buffers, path + ".buffer", "buffers");
+        const std::size_t size = file.buffers[static_cast<std::size_t>(view.buffer)].size();
+        if (view.byte_length == 0) wrong(path + ".byteLength", "is 0");
+        if (view.byte_offset > size || view.byte_length > size - view.byte_offset)
+            wrong(path, "ends beyond its buffer of " + std::to_string(size) + " bytes");
+        if (view.byte_stride != 0 && (view.byte_stride < 4 || view.byte_stride > 252 || view.byte_stride % 4 != 0))
+            wrong(path + ".byteStride", "is " + std::to_string(view.byte_stride) + ", not 4, 8 .. 252");
+    }
+
+    // Accessors that nothing reads may be of any type, but never lie outside their bytes.
+    void check_accessor(std::size_t i) const {
+        const GltfAccessor& accessor = file.accessors[i];
+        const std::string path = item("accessors", i);
+        const std::size_t bytes = component_bytes(accessor.component_type);
+        if (bytes == 0) wrong(path + ".componentType", "is " + std::to_string(accessor.component_type) + ", unknown");
+        if (accessor.count == 0) wrong(path + ".count", "is 0");
+        if (accessor.buffer_view == -1 || accessor.components == 0) return;
+        check_index(accessor.buffer_view, file.buffer_views, path + ".bufferView", "bufferViews");
+        const GltfBufferView& view = file.buffer_views[static_cast<std::size_t>(accessor.buffer_view)];
+        const std::size_t element = bytes * static_cast<std::size_t>(accessor.components);
+        const std::size_t stride = element_stride(file, accessor);
+        if (stride < element) wrong(path, "has elements that are larger than the stride of its bufferView");
+        if (accessor.byte_offset % bytes != 0 || (view.byte_offset + accessor.byte_offset) % bytes != 0)
+            wrong(path + ".byteOffset", "is not a multiple of the component's size");
+        if (accessor.byte_offset > view.byte_length || view.byte_length - accessor.byte_offset < element ||
+            accessor.count - 1 > (view.byte_length - accessor.byte_offset - element) / stride)
+            wrong(path, "with its count of " + std::to_string(accessor.count) + " ends beyond its bufferView");
+    }
+
+    const GltfAccessor& check_read_accessor(int index, const std::string& path) const {
+        check_index(index, file.accessors, path, "accessors");
+        const GltfAccessor& accessor = file.accessors[static_cast<std::size_t>(index)];
+        if (accessor.sparse) wrong(path, "is a sparse accessor, which is not read");
+        if (accessor.buffer_view == -1) wrong(path, "has no bufferView");
+        return accessor;
+    }
+
+    void check_primitive(const GltfPrimitive& primitive, const std::string& path) const {
+        check_optional_index(primitive.material, file.materials, path + ".material", "materials");
+        if (primitive.mode < 0 || primitive.mode > 6)
+            wrong(path + ".mode", "is " + std::to_string(primitive.mode) + ", unknown");
+        for (const auto& [name, index] : primitive.attributes)
+            check_index(index, file.accessors, path + ".attributes." + name, "accessors");
+        if (primitive.mode != gltf_triangles) return;  // not read, see the warnings
+
+        const auto found = primitive.attributes.find("POSITION");
+        if (found == primitive.attributes.end()) wrong(path, "has no POSITION");
+        const GltfAccessor& positions = check_read_accessor(found->second, path + ".attributes.POSITION");
+        if (positions.component_type != gltf_float || positions.components != 3)
+            wrong(path + ".attributes.POSITION", "is not a VEC3 of floats");
+        std::size_t corners = positions.count;
+        if (primitive.indices != -1) corners = check_vertex_indices(primitive.indices, positions.count, path);
+        if (corners % 3 != 0) wrong(path, "has " + std::to_string(corners) + " triangle corners, not a multiple of 3");
+        check_positions(positions, path + ".attributes.POSITION");
+    }
+
+    std::size_t check_vertex_indices(int index, std::size_t vertices, const std::string& path) const {
+        const GltfAccessor& indices = check_read_accessor(index, path + ".indices");
+        const int type = indices.component_type;
+        if (indices.components != 1 ||
+            (type != gltf_unsigned_byte && type != gltf_unsigned_short && type != gltf_unsigned_int))
+            wrong(path + ".indices", "is not a SCALAR of unsigned integers");
+        for (std::size_t i = 0; i < indices.count; ++i) {
+            const std::uint32_t vertex = read_index(file, indices, i);
+            if (vertex >= vertices)
+                wrong(path + ".indices",
+                      "holds vertex " + std::to_string(vertex) + ", but there are " + std::to_string(vertices));
+        }
+        return indices.count;
+    }
+
+    void check_positions(const GltfAccessor& positions, const std::string& path) const {
+        for (std::size_t i = 0; i < positions.count; ++i) {
+            const glm::vec3 p = read_position(file, positions, i);
+            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+                wrong(path, "holds a number that is not finite at vertex " + std::to_string(i));
+        }
+    }
+
+    void check_material(std::size_t i) const {
+        const GltfMaterial& material = file.materials[i];
+        const std::string path = item("materials", i);
+        constexpr double brightest = 1e12;
+        check_ranges(material.base_color, 4, 0, 1, path + ".pbrMetallicRoughness.baseColorFactor");
+        check_ranges(material.emissive, 3, 0, brightest, path + ".emissiveFactor");
+        check_range(material.emissive_strength, 0, brightest, path + ".emissiveStrength");
+        check_range(material.metallic, 0, 1, path + ".pbrMetallicRoughness.metallicFactor");
+        check_range(material.roughness, 0, 1, path + ".pbrMetallicRoughness.roughnessFactor");
+        check_range(material.specular, 0, 1, path + ".specularFactor");
+        if (material.ior != 0) check_range(material.ior, 1, 1e6, path + ".ior");
+    }
+
+    void check_camera(std::size_t i) const {
+        const GltfCamera& camera = file.cameras[i];
+        if (camera.type != "perspective") return;  // not read, see the warnings
+        check_range(camera.vertical_field_of_view, 1e-4, pi - 1e-4, item("cameras", i) + ".perspective.yfov");
+        check_range(camera.near_distance, 1e-9, 1e12, item("cameras", i) + ".perspective.znear");
+    }
+
+    void check_light(std::size_t i) const {
+        const GltfLight& light = file.lights[i];
+        const std::string path = item("lights", i);
+        if (light.type != "directional" && light.type != "point" && light.type != "spot")
+            wrong(path + ".type", "is \"" + light.type + "\", not directional, point or spot");
+        check_ranges(light.color, 3, 0, 1e6, path + ".color");
+        check_range(light.intensity, 0, 1e12, path + ".intensity");
+        if (light.type != "spot") return;
+        check_range(light.outer_cone_angle, 1e-4, pi / 2 + 1e-9, path + ".spot.outerConeAngle");
+        check_range(light.inner_cone_angle, 0, light.outer_cone_angle, path + ".spot.innerConeAngle");
+    }
+
+    void check_node(std::size_t i) const {
+        const GltfNode& node = file.nodes[i];
+        const std::string path = item("nodes", i);
+        check_optional_index(node.mesh, file.meshes, path + ".mesh", "meshes");
+        check_optional_index(node.camera, file.cameras, path + ".camera", "cameras");
+        check_optional_index(node.light, file.lights, path + ".light", "lights");
+        for (const int child : node.children) check_index(child, file.nodes, path + ".children", "nodes");
+        check_optional_numbers(node.matrix, 16, path + ".matrix");
+        check_optional_numbers(node.translation, 3, path + ".translation");
+        check_optional_numbers(node.rotation, 4, path + ".rotation");
+        if (!node.rotation.empty() &&
+            std::all_of(node.rotation.begin(), node.rotation.end(), [](double q) { return q == 0; }))
+            wrong(path + ".rotation", "is zero, not a unit quaternion");
+        if (!node.matrix.empty() &&
+            (node.matrix[3] != 0 || node.matrix[7] != 0 || node.matrix[11] != 0 || node.matrix[15] != 1))
+            wrong(path + ".matrix", "does not end in the row 0 0 0 1");
+        check_optional_numbers(node.scale, 3, path + ".scale");
+    }
+
+    std::vector<int> parent_counts() const {
+        std::vector<int> parents(file.nodes.size(), 0);
+        for (const GltfNode& node : file.nodes)
+            for (const int child : node.children) ++parents[static_cast<std::size_t>(child)];
+        return parents;
+    }
+
+    // Every node has one parent at most, and walking down from the nodes without one reaches all: no cycles.
+    void check_forest() const {
+        const std::vector<int> parents = parent_counts();
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < parents.size(); ++i) {
+            if (parents[i] > 1) wrong(item("nodes", i), "is the child of several nodes");
+            if (parents[i] == 0) open.push_back(i);
+        }
+        std::size_t reached = 0;
+        while (!open.empty()) {
+            const std::size_t i = open.back();
+            open.pop_back();
+            ++reached;
+            for (const int child : file.nodes[i].children) open.push_back(static_cast<std::size_t>(child));
+        }
+        if (reached != file.nodes.size()) wrong("nodes", "contain themselves: their children form a cycle");
+    }
+
+    void check_scenes() const {
+        check_optional_index(file.scene, file.scenes, "scene", "scenes");
+        const std::vector<int> parents = parent_counts();
+        for (std::size_t i = 0; i < file.scenes.size(); ++i) {
+            std::vector<int> roots = file.scenes[i];
+            for (const int root : roots) {
+                check_index(root, file.nodes, item("scenes", i) + ".nodes", "nodes");
+                if (parents[static_cast<std::size_t>(root)] != 0)
+                    wrong(item("scenes", i) + ".nodes", "names node " + std::to_string(root) + ", which has a parent");
+            }
+            std::sort(roots.begin(), roots.end());
+            if (std::adjacent_find(roots.begin(), roots.end()) != roots.end())
+                wrong(item("scenes", i) + ".nodes", "names a node twice");
+        }
+    }
+};
+
+}  // namespace
+
+void validate(const GltfFile& file, const std::string& where) {
+    const Validator validator{file, where};
+    validator.check_extensions();
+    for (std::size_t i = 0; i < file.buffer_views.size(); ++i) validator.check_buffer_view(i);
+    for (std::size_t i = 0; i < file.accessors.size(); ++i) validator.check_accessor(i);
+    for (std::size_t i = 0; i < file.materials.size(); ++i) validator.check_material(i);
+    for (std::size_t i = 0; i < file.cameras.size(); ++i) validator.check_camera(i);
+    for (std::size_t i = 0; i < file.lights.size(); ++i) validator.check_light(i);
+    for (std::size_t m = 0; m < file.meshes.size(); ++m)
+        for (std::size_t p = 0; p < file.meshes[m].primitives.size(); ++p)
+            validator.check_primitive(file.meshes[m].primitives[p], item(item("meshes", m) + ".primitives", p));
+    for (std::size_t i = 0; i < file.nodes.size(); ++i) validator.check_node(i);
+    validator.check_forest();
+    validator.check_scenes();
+}
+
+}  // namespace brewster

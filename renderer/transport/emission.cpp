@@ -1,0 +1,49 @@
+#include "transport/emission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/philox.h"
+
+namespace brewster {
+
+PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed) : scene_(scene), sampler_(scene), seed_(seed) {
+    for (const Lamp& lamp : scene.lamps) mean_power_ += static_cast<double>(lamp.mean_power());
+    double sum = 0;
+    for (const Lamp& lamp : scene.lamps) {
+        const double power = static_cast<double>(lamp.mean_power());
+        sum += power;
+        cumulative_.push_back(mean_power_ > 0 ? static_cast<std::uint64_t>(std::llround(sum / mean_power_ * 0x1p32)) : 0);
+        weights_.push_back(power > 0 ? lamp.power / lamp.mean_power() : glm::vec3(0));
+    }
+    for (std::uint32_t replica = 0; replica < replica_count; ++replica)
+        for (std::uint32_t d = 0; d < sobol_dimensions; ++d) scrambles_[replica][d] = scramble_of(seed, replica, d);
+}
+
+std::uint32_t PhotonEmission::sobol_word(std::uint64_t photon, unsigned dimension) const {
+    const auto replica = static_cast<std::uint32_t>(photon % replica_count);
+    const std::uint64_t index = photon / replica_count;
+    // The sequence ends after 2^32 points; what follows is scrambled anew.
+    const auto round = static_cast<std::uint32_t>(index >> 32);
+    const std::uint32_t scramble =
+        round == 0 ? scrambles_[replica][dimension] : scramble_of(seed_, replica + replica_count * round, dimension);
+    return sobol_owen(static_cast<std::uint32_t>(index), dimension, scramble);
+}
+
+float PhotonEmission::sobol(std::uint64_t photon, unsigned dimension) const {
+    return unit_float(sobol_word(photon, dimension));
+}
+
+EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
+    const std::uint64_t choice = sobol_word(photon, 0);
+    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
+    const auto lamp = static_cast<std::uint32_t>(found - cumulative_.begin());
+    const Emission start =
+        sampler_.emit(lamp, {sobol(photon, 1), sobol(photon, 2), sobol(photon, 3), sobol(photon, 4)});
+    EmittedPhoton emitted;
+    emitted.ray = {start.position, start.direction, start.leaving};
+    emitted.weight = weights_[lamp];
+    return emitted;
+}
+
+}  // namespace brewster

@@ -1,0 +1,74 @@
+#include "bins/outline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "shared/bin_layout.h"
+#include "shapes.h"
+
+namespace brewster {
+namespace {
+
+CellGeometry whole(const Outline& outline) {
+    std::vector<std::uint32_t> all(outline.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return cell_geometry(outline, {{0, 0}, {BREWSTER_UV_ONE, BREWSTER_UV_ONE}}, all);
+}
+
+TEST(CellGeometry, FullRectangle) {
+    const CellGeometry g = whole(shapes::rectangle(2, 3));
+    EXPECT_TRUE(g.full);
+    EXPECT_NEAR(g.area, 6, 1e-12);
+    EXPECT_NEAR(g.covariance[0], 1.0 / 3, 1e-12);
+    EXPECT_NEAR(g.bubble, 4.0 / 9, 1e-12);
+}
+
+// Right triangle with corners (-1,-1), (1,-1), (-1,1) in cell coordinates: moments by hand.
+TEST(CellGeometry, RightTriangle) {
+    const CellGeometry g = whole(shapes::right_triangle());
+    EXPECT_FALSE(g.full);
+    EXPECT_NEAR(g.area, 0.5, 1e-14);
+    EXPECT_NEAR(g.mean[0], -1.0 / 3, 1e-14);
+    EXPECT_NEAR(g.mean[1], -1.0 / 3, 1e-14);
+    EXPECT_NEAR(g.covariance[0], 2.0 / 9, 1e-14);
+    EXPECT_NEAR(g.covariance[1], -1.0 / 9, 1e-14);
+    // x < 0 holds 3/4 of the area, so does y < 0; x < 0 and y < 0 half of it.
+    EXPECT_NEAR(g.sign[0], -0.5, 1e-14);
+    EXPECT_NEAR(g.sign_product, 0.0, 1e-14);
+    EXPECT_NEAR(g.legendre[0], 1.5 * (2.0 / 9 + 1.0 / 9) - 0.5, 1e-14);
+    // (1/2) int (1-x^2)(1-y^2) over the triangle: 28/45 by hand, that is 2/9 + 2/9 + 8/45 less the symmetric part.
+    double sum = 0;
+    constexpr int n = 2000;
+    for (int i = 0; i < n; ++i) {
+        const double x = -1 + (i + 0.5) * 2 / n;
+        const double top = -x;  // y runs from -1 to -x
+        sum += (1 - x * x) * ((top - top * top * top / 3) - (-1 + 1.0 / 3)) * 2 / n;
+    }
+    EXPECT_NEAR(g.bubble, sum / 2, 1e-6);
+}
+
+// The four quarters of any shape add up to the whole.
+TEST(CellGeometry, QuartersAddUp) {
+    for (const Outline& outline : {shapes::l_shape(), shapes::annulus(), shapes::wall_with_window(), shapes::right_triangle()}) {
+        std::vector<std::uint32_t> all(outline.triangles.size());
+        std::iota(all.begin(), all.end(), 0u);
+        const std::uint32_t middle = BREWSTER_UV_ONE / 2;
+        double area = 0, first = 0;
+        for (const std::uint32_t x : {0u, middle}) {
+            for (const std::uint32_t y : {0u, middle}) {
+                const Box<2> box = {{x, y}, {x + middle, y + middle}};
+                const CellGeometry g = cell_geometry(outline, box, triangles_in(outline, box, all));
+                area += g.area;
+                first += g.area * (0.5 * g.mean[0] + (x == 0 ? -0.5 : 0.5));
+            }
+        }
+        const CellGeometry g = whole(outline);
+        EXPECT_NEAR(area, g.area, 1e-12);
+        EXPECT_NEAR(first, g.area * g.mean[0], 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace brewster

@@ -1,0 +1,211 @@
+#include "bins/publish.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "bins/file_event.h"
+#include "bins/lookup.h"
+#include "shapes.h"
+
+namespace brewster {
+namespace {
+
+/// Light on one chart: photons thrown evenly on the rectangle, those off the surface dropped, weighted by a density.
+class Thrower {
+  public:
+    using Density = std::function<float(double u, double v)>;
+
+    Thrower(const Outline& outline, const BinSettings& settings, unsigned seed)
+        : settings_(settings), tree_({outline}, settings), outline_(outline), random_(seed) {}
+
+    void throw_photons(std::uint64_t count, const Density& density) {
+        tally_.resize(tree_.leaf_count());
+        std::uniform_real_distribution<double> uniform(0, 1);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const double u = uniform(random_), v = uniform(random_);
+            if (!inside(u, v)) continue;
+            const BinTree<2>::Point point = {lookup::fixed_point_of(static_cast<float>(u)),
+                                             lookup::fixed_point_of(static_cast<float>(v))};
+            file_event<2>(tree_, tally_, tree_.locate(0, point), point, glm::vec3(density(u, v)), true,
+                          static_cast<std::uint32_t>((photons_ + i) % replica_count));
+        }
+        photons_ += count;
+        tree_.absorb(tally_);
+        tree_.split_leaves(photons_, settings_);
+    }
+
+    // The density is published as itself: one unit of weight a photon on a rectangle of this area.
+    Snapshot snapshot() const { return publish(tree_, nullptr, photons_, outline_.size.x * outline_.size.y, settings_); }
+    const BinTree<2>& tree() const { return tree_; }
+    bool inside(double u, double v) const {
+        for (const auto& t : outline_.triangles) {
+            const auto side = [&](int i) {
+                const glm::dvec2 a = t[static_cast<std::size_t>(i)], b = t[static_cast<std::size_t>((i + 1) % 3)];
+                return (b.x - a.x) * (v - a.y) - (b.y - a.y) * (u - a.x);
+            };
+            const double s0 = side(0), s1 = side(1), s2 = side(2);
+            if ((s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0)) return true;
+        }
+        return false;
+    }
+
+  private:
+    BinSettings settings_;
+    BinTree<2> tree_;
+    Outline outline_;
+    std::mt19937_64 random_;
+    Tally<2> tally_;
+    std::uint64_t photons_ = 0;
+};
+
+float value_at(const Snapshot& snapshot, double u, double v) {
+    return lookup::look_up(snapshot, snapshot.charts[0].direct_root, lookup::fixed_point_of(static_cast<float>(u)),
+                           lookup::fixed_point_of(static_cast<float>(v)))
+        .value.y;
+}
+
+double relative_rmse(const Snapshot& snapshot, const Thrower& thrower, const Thrower::Density& truth) {
+    double sum = 0;
+    int count = 0;
+    constexpr int n = 200;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const double u = (i + 0.5) / n, v = (j + 0.5) / n;
+            if (!thrower.inside(u, v)) continue;
+            const double t = truth(u, v), error = (value_at(snapshot, u, v) - t) / t;
+            sum += error * error;
+            ++count;
+        }
+    }
+    return std::sqrt(sum / count);
+}
+
+// Exact moments instead of photons: a constant radiance must come back as one leaf, the same number everywhere.
+TEST(Publish, ConstantRadianceIsOneExactLeafOnAnyShape) {
+    for (const Outline& outline : {shapes::right_triangle(), shapes::l_shape(), shapes::annulus(), shapes::wall_with_window()}) {
+        BinTree<2> tree({outline}, BinSettings{});
+        Tally<2> tally;
+        tally.resize(tree.leaf_count());
+        const double whole = tree.cell(0).geometry.area;
+        for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
+            if (!tree.node(node).is_leaf()) continue;
+            const CellGeometry& g = tree.cell(node).geometry;
+            const double weight = 1000 * g.area / whole;
+            Quanta* row = tally.estimate(tree.node(node).leaf());
+            for (int band = 0; band < band_count; ++band, row += RecordLayout<2>::estimate_stride) {
+                row[0] = to_quanta(weight);
+                row[1] = to_quanta(weight * g.mean[0]);
+                row[2] = to_quanta(weight * g.mean[1]);
+                row[3] = to_quanta(weight);
+            }
+        }
+        tree.absorb(tally);
+        const Snapshot snapshot = publish(tree, nullptr, 1000, 2.5 * whole, BinSettings{});
+        EXPECT_EQ(snapshot.charts[0].direct_leaves, 1u);
+        EXPECT_EQ(snapshot.charts[0].indirect_leaves, 1u);
+        for (const double u : {0.02, 0.31, 0.5, 0.77})
+            for (const double v : {0.03, 0.4, 0.98}) EXPECT_NEAR(value_at(snapshot, u, v), 2.5, 2.5e-6);
+    }
+}
+
+// Photons get lost on the way with probability 1/2, so the flux of n photons has variance n / 4 and not sum w^2 = n / 2:
+// the replicas must see that.
+TEST(Publish, EvenPhotonsAreOneLeafWithAnHonestError) {
+    std::mt19937 coin(1);
+    const auto lossy = [&](double, double) { return (coin() & 1024u) != 0 ? 1.0f : 0.0f; };
+    constexpr int runs = 200;
+    double squares = 0, reported = 0;
+    unsigned leaves = 0;
+    for (unsigned seed = 0; seed < runs; ++seed) {
+        Thrower thrower(shapes::rectangle(1, 1), BinSettings{}, seed);
+        for (int batch = 0; batch < 4; ++batch) thrower.throw_photons(2000, lossy);
+        const Snapshot snapshot = thrower.snapshot();
+        leaves += snapshot.charts[0].direct_leaves;
+        const auto middle = lookup::look_up(snapshot, snapshot.charts[0].direct_root, BREWSTER_UV_ONE / 2, BREWSTER_UV_ONE / 2);
+        squares += std::pow(middle.value.x - 0.5, 2);
+        reported += middle.standard_error.x * middle.standard_error.x;
+    }
+    // A false split at the root needs a chi-square of 3 degrees above 12 (0.7 %), and eleven levels stand below.
+    EXPECT_LE(leaves, runs + runs / 8);
+    // The mean of 200 squared normals has a relative standard deviation of 0.1; sum w^2 alone would give a half.
+    EXPECT_NEAR(squares / reported, 1, 0.35);
+}
+
+TEST(Publish, MorePhotonsLowerTheErrorOfASmoothField) {
+    const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
+    double previous = 1;
+    for (const int batches : {8, 14, 20}) {
+        Thrower thrower(shapes::rectangle(1, 1), BinSettings{}, 5);
+        std::uint64_t count = 2000;
+        for (int batch = 0; batch < batches; ++batch, count += count / 4) thrower.throw_photons(count, smooth);
+        const double error = relative_rmse(thrower.snapshot(), thrower, smooth);
+        EXPECT_LT(error, 0.75 * previous);
+        previous = error;
+    }
+    EXPECT_LT(previous, 0.06);
+}
+
+TEST(Publish, StepsStaySharpAndSmoothBordersJoin) {
+    const auto step = [](double u, double) { return u < 0.5 ? 4.0f : 1.0f; };
+    Thrower thrower(shapes::rectangle(1, 1), BinSettings{}, 9);
+    std::uint64_t count = 4000;
+    for (int batch = 0; batch < 14; ++batch, count += count / 4) thrower.throw_photons(count, step);
+    const Snapshot snapshot = thrower.snapshot();
+    for (const double v : {0.11, 0.37, 0.63, 0.91}) {
+        EXPECT_NEAR(value_at(snapshot, 0.499, v), 4, 0.4);
+        EXPECT_NEAR(value_at(snapshot, 0.501, v), 1, 0.3);
+    }
+    const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
+    Thrower smooth_thrower(shapes::rectangle(1, 1), BinSettings{}, 9);
+    count = 4000;
+    for (int batch = 0; batch < 16; ++batch, count += count / 4) smooth_thrower.throw_photons(count, smooth);
+    const Snapshot joined = smooth_thrower.snapshot();
+    ASSERT_GT(joined.charts[0].direct_leaves, 8u);
+    int steps = 0, pairs = 0;
+    for (int i = 0; i < 4000; ++i) {  // along both diagonals' neighbours, in steps far smaller than a cell
+        const double v = 0.013 + 0.97 * ((i * 7) % 4000) / 4000.0, u = i / 4000.0;
+        const double a = value_at(joined, u, v), b = value_at(joined, u + 1e-6, v);
+        steps += std::abs(a - b) > 0.01 * a;
+        ++pairs;
+    }
+    EXPECT_LE(steps, pairs / 100);
+}
+
+TEST(Publish, WithoutSharedCornersBordersStep) {
+    BinSettings settings;
+    settings.share_corners = false;
+    const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
+    Thrower thrower(shapes::rectangle(1, 1), settings, 9);
+    std::uint64_t count = 4000;
+    for (int batch = 0; batch < 16; ++batch, count += count / 4) thrower.throw_photons(count, smooth);
+    const Snapshot snapshot = thrower.snapshot();
+    double largest = 0;
+    for (int i = 1; i < 4096; ++i) {
+        const double u = i / 4096.0;
+        largest = std::max(largest, std::abs(static_cast<double>(value_at(snapshot, u - 1e-6, 0.3) - value_at(snapshot, u + 1e-6, 0.3))));
+    }
+    EXPECT_GT(largest, 0.01);
+}
+
+// The mean over the chart is what was thrown, whatever leaves were chosen.
+TEST(Publish, KeepsTheFlux) {
+    const auto step = [](double u, double v) { return u + v < 0.8 ? 3.0f : 0.5f; };
+    Thrower thrower(shapes::rectangle(2, 1), BinSettings{}, 11);
+    std::uint64_t count = 4000;
+    for (int batch = 0; batch < 12; ++batch, count += count / 4) thrower.throw_photons(count, step);
+    const Snapshot snapshot = thrower.snapshot();
+    double mean = 0;
+    constexpr int n = 512;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) mean += value_at(snapshot, (i + 0.5) / n, (j + 0.5) / n) / (n * n);
+    Wide total = 0;
+    for (std::uint32_t node = 0; node < thrower.tree().node_count(); ++node)
+        total += thrower.tree().sums(node).estimate[0];
+    EXPECT_NEAR(mean, to_weight(total) / static_cast<double>(snapshot.photons), 0.004 * mean);
+}
+
+}  // namespace
+}  // namespace brewster
