@@ -38,8 +38,10 @@ class Install : public testing::Test {
         environment["PATH"] = folder_ + "/bin";
         environment["LOG"] = folder_ + "/log";
         environment["TABLE"] = folder_ + "/table";
-        return run_process({"/bin/bash", BREWSTER_SOURCE_DIR "/app/install", folder_ + "/list"},
-                           {.folder = {}, .environment = environment, .empty_environment = true});
+        ProcessSetting setting;
+        setting.environment = environment;
+        setting.empty_environment = true;
+        return run_process({"/bin/bash", BREWSTER_SOURCE_DIR "/app/install", folder_ + "/list"}, setting);
     }
 
     std::string calls() const { return read_text(folder_ + "/log"); }

@@ -17,7 +17,9 @@ const std::string cornell_box = BREWSTER_SOURCE_DIR "/assets/scenes/cornell-box.
 
 ProcessResult brewster(std::vector<std::string> arguments, const std::string& folder = {}) {
     arguments.insert(arguments.begin(), brewster_program());
-    return run_process(arguments, {.folder = folder});
+    ProcessSetting setting;
+    setting.folder = folder;
+    return run_process(arguments, setting);
 }
 
 /// Expects a failure in one sentence, on standard error only, that holds `part`.
@@ -93,9 +95,11 @@ TEST(Program, SecondsStopTheRun) {
 }
 
 TEST(Program, CtrlCEndsWithThePhotonsThereAre) {
-    const ProcessResult result = run_process(
-        {brewster_program(), "solve", cornell_box, "--photons", "1e12", "--json"},
-        {.folder = {}, .environment = {}, .empty_environment = false, .signal = SIGINT, .signal_delay_ms = 1500});
+    ProcessSetting setting;
+    setting.signal = SIGINT;
+    setting.signal_delay_ms = 1500;
+    const ProcessResult result =
+        run_process({brewster_program(), "solve", cornell_box, "--photons", "1e12", "--json"}, setting);
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     const json report = json::parse(result.output);
     EXPECT_GT(report["photons"], 0);
@@ -202,8 +206,10 @@ TEST(Program, FullDiskIsAFailure) {
 
 TEST(Program, WithoutADisplayPicturesAreWrittenAndSaid) {
     const std::string folder = fresh_folder();
-    const ProcessResult result =
-        run_process({brewster_program()}, {.folder = folder, .environment = {}, .empty_environment = true});
+    ProcessSetting setting;
+    setting.folder = folder;
+    setting.empty_environment = true;
+    const ProcessResult result = run_process({brewster_program()}, setting);
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_NE(result.errors.find("no display"), std::string::npos) << result.errors;
     for (const char* camera : {"front", "inside", "low"}) {

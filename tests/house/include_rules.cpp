@@ -16,7 +16,7 @@ const std::vector<std::pair<std::string, std::string>> home_of = {
     {"glad/", "display"}, {"GL/", "display"}, {"CLI/", "app"},
 };
 
-/// Headers that take long to compile: each stands in one .cpp file of the house and in no header.
+/// Headers that take long to compile: each stands in one .cpp file of a folder and in no header.
 const std::vector<std::string> heavy = {
     "CLI/",       "nlohmann/",        "tiny_gltf",           "OpenEXR/",      "Imf",
     "spdlog/",    "imgui_impl",       "backends/imgui_impl", "stb_truetype",  "stb_image_write",
@@ -98,7 +98,7 @@ std::vector<std::string> includes_of(std::string_view text) {
 
 std::vector<std::string> broken_rules(const std::vector<SourceFile>& files, const Layers& layers) {
     std::vector<std::string> complaints;
-    std::map<std::string, std::set<std::string>> users_of_heavy;
+    std::map<std::pair<std::string, std::string>, std::set<std::string>> users_of_heavy;
     for (const SourceFile& file : files) {
         for (const std::string& written : includes_of(file.text)) {
             const std::string name = written.substr(1, written.size() - 2);
@@ -115,18 +115,19 @@ std::vector<std::string> broken_rules(const std::vector<SourceFile>& files, cons
             }
             for (const std::string& prefix : heavy) {
                 if (!name.starts_with(prefix)) continue;
-                users_of_heavy[prefix].insert(file.path);
+                users_of_heavy[{prefix, file.folder}].insert(file.path);
                 if (!file.path.ends_with(".cpp")) {
                     complaints.push_back(file.path + " includes <" + name + ">, which is too heavy for a header");
                 }
             }
         }
     }
-    for (const auto& [prefix, users] : users_of_heavy) {
+    for (const auto& [prefix_and_folder, users] : users_of_heavy) {
         if (users.size() < 2) continue;
         std::string list;
         for (const std::string& user : users) list += " " + user;
-        complaints.push_back("<" + prefix + "...> may stand in one file only, but stands in" + list);
+        complaints.push_back("<" + prefix_and_folder.first + "...> may stand in one file of a folder, but stands in" +
+                             list);
     }
     return complaints;
 }
