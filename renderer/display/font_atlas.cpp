@@ -63,7 +63,6 @@ FontAtlas::FontAtlas(int pixels) : coverage_(std::size_t{side} * side) {
     }
     stbtt_pack_context context;
     const bool ready = stbtt_PackBegin(&context, coverage_.data(), side, side, 0, 1, nullptr) != 0;
-    stbtt_PackSetSkipMissingCodepoints(&context, 1);
     const bool fits = ready && stbtt_PackFontRanges(&context, font_bytes(), 0, requests.data(),
                                                     static_cast<int>(requests.size())) != 0;
     stbtt_PackEnd(&context);
@@ -75,7 +74,6 @@ FontAtlas::FontAtlas(int pixels) : coverage_(std::size_t{side} * side) {
     for (std::size_t r = 0; r < packed.size(); ++r) {
         for (int k = 0; k < ranges[r].count; ++k) {
             const stbtt_packedchar& c = packed[r][static_cast<std::size_t>(k)];
-            if (c.xadvance <= 0) continue;
             Glyph glyph;
             glyph.atlas = {static_cast<float>(c.x0), static_cast<float>(c.y0), static_cast<float>(c.x1),
                            static_cast<float>(c.y1)};

@@ -18,7 +18,7 @@ struct Glyph {
 };
 
 /// The embedded font (DejaVu Sans) at one size: Latin-1, dashes, quotes, superscripts, minus and a few signs more.
-/// What it lacks is shown as '?'.
+/// What is outside of these is shown as '?'.
 class FontAtlas {
   public:
     static constexpr int side = 512;  ///< texels

@@ -13,7 +13,7 @@ namespace {
 constexpr glm::vec4 backing(0.0f, 0.0f, 0.0f, 0.6f);
 constexpr glm::vec4 ink(1.0f, 1.0f, 1.0f, 1.0f);
 
-/// The strip runs over what the curve tells apart: from 1/200 of the knee's double to 60 times it, in exposed units.
+/// The strip runs over what the curve and eight bits tell apart, in exposed units.
 constexpr double darkest = 0.0025, brightest = 32.0;
 
 std::string number(double value) {
@@ -49,24 +49,24 @@ std::vector<double> scale_marks(double low, double high, int most) {
 }
 
 void draw_legend(Text& text, const Screen& screen, const Legend& legend) {
-    const int size = std::clamp(screen.height() / 45, 11, 32);
-    const float line = static_cast<float>(size), margin = std::round(0.5f * line);
+    const int size = std::clamp(screen.height() / 45, 12, 32);
+    const float line = static_cast<float>(size), pitch = std::round(1.25f * line), margin = std::round(0.5f * line);
     const std::string title(description(legend.map).title);
     const std::string names = legend.scene + " \u00b7 " + legend.camera;
     const std::string state = brief_count(legend.photons) + " photons \u00b7 EV " + signed_number(legend.exposure);
     const float strip = std::max({14 * line, std::ceil(text.width(names, size)), std::ceil(text.width(state, size))});
-    const glm::vec2 extent(strip + 2 * margin, 5.5f * line + 2 * margin);
+    const glm::vec2 extent(strip + 2 * margin, 3.1f * pitch + 2.3f * line + 2 * margin);
     const glm::vec2 corner(margin, static_cast<float>(screen.height()) - margin - extent.y);
     if (corner.y < margin || extent.x + 2 * margin > static_cast<float>(screen.width())) return;
 
     text.add_rectangle(corner, extent, backing);
     glm::vec2 pen = corner + margin;
     text.add(names, pen, size, ink);
-    pen.y += line;
+    pen.y += pitch;
     text.add(state, pen, size, ink);
-    pen.y += line;
+    pen.y += pitch;
     text.add(title, pen, size, ink);
-    pen.y += 1.25f * line;
+    pen.y += std::round(1.1f * pitch);
 
     const double scale = std::exp2(-static_cast<double>(legend.exposure));
     const double low = darkest * scale, high = brightest * scale;

@@ -19,7 +19,7 @@ struct Legend {
 /// A count in few signs: "950", "1.2e4", "1e7".
 std::string brief_count(std::uint64_t count);
 
-/// The radiances 1, 2 or 5 times a power of ten between `low` and `high`, thinned to at most `most` powers of ten.
+/// The powers of ten from `low` to `high`, evenly thinned to at most `most`.
 std::vector<double> scale_marks(double low, double high, int most);
 
 /// Draws the legend into the lower left corner: the map's scale in the colours that the tone curve gives them at this

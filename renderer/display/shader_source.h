@@ -14,7 +14,8 @@ struct ShaderSource {
 void set_shader_folder(const std::string& path);
 
 /// The shader file of that name ("chart.frag") behind `#version 330 core`, an empty BREWSTER_FUNCTION for the headers
-/// shared with C++, and one `#define` a line of `defines`; each `#include "name"` is replaced by the file, once. Throws Error when a file is missing.
+/// shared with C++, and one `#define` a line of `defines`; each `#include "name"` is replaced by the file, once. Throws
+/// Error when a file is missing.
 ShaderSource shader_source(const std::string& name, const std::vector<std::string>& defines = {});
 
 }  // namespace brewster

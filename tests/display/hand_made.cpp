@@ -32,8 +32,8 @@ std::uint32_t grow(Snapshot& bins, std::uint32_t place, std::array<std::uint32_t
     const std::uint32_t axis = uniform(0, 1) < 0.5f ? 0 : 1;
     const std::uint32_t low = cell[2 * axis], high = cell[2 * axis + 1];
     if (leaves < 2 || high - low < 8) {
-        const auto value = [&] { return uniform(0, 10); };
-        bins.nodes[place] = add_leaf(bins, {value(), value(), value(), value()}, uniform(-1, 1), uniform(0, 1));
+        const auto value = [&] { return uniform(1, 10); };
+        bins.nodes[place] = add_leaf(bins, {value(), value(), value(), value()}, uniform(-0.5f, 0.5f), uniform(0, 1));
         return place;
     }
     const auto split = low + static_cast<std::uint32_t>(uniform(0.2f, 0.8f) * static_cast<float>(high - low));

@@ -23,8 +23,8 @@ Snapshot empty_bins(const Scene& scene);
 /// to the factors 1, 1/2, 1/4, and returns the word that a node needs for it.
 glm::uvec2 add_leaf(Snapshot& bins, const std::array<float, 4>& corners, float bubble, float standard_error);
 
-/// Appends a random tree of about so many leaves: uneven splits along both axes, random corners in [0, 10], bubbles in
-/// [-1, 1]. Returns its root.
+/// Appends a random tree of about so many leaves: uneven splits along both axes, random corners in [1, 10], bubbles in
+/// [-0.5, 0.5]. Returns its root.
 std::uint32_t add_random_tree(Snapshot& bins, int leaves, std::mt19937& random);
 
 }  // namespace brewster::hand_made

@@ -1,0 +1,86 @@
+#include "display/legend.h"
+
+#include "display/tone.h"
+#include "gl_test.h"
+
+namespace brewster {
+namespace {
+
+TEST(Legend, CountsAreBrief) {
+    EXPECT_EQ(brief_count(0), "0");
+    EXPECT_EQ(brief_count(999), "999");
+    EXPECT_EQ(brief_count(1000), "1e3");
+    EXPECT_EQ(brief_count(12345), "1.2e4");
+    EXPECT_EQ(brief_count(9999999), "1e7");
+    EXPECT_EQ(brief_count(20000000000), "2e10");
+}
+
+TEST(Legend, ScaleMarksArePowersOfTenWithin) {
+    EXPECT_EQ(scale_marks(0.005, 20, 5), (std::vector<double>{0.01, 0.1, 1, 10}));
+    EXPECT_EQ(scale_marks(0.1, 10, 5), (std::vector<double>{0.1, 1, 10}));
+    EXPECT_EQ(scale_marks(1e-3, 1e3, 4), (std::vector<double>{1e-3, 1e-1, 1e1, 1e3}));
+}
+
+TEST(Maps, TableAndEnumAgree) {
+    for (const MapDescription& entry : map_descriptions) {
+        EXPECT_EQ(description(entry.map).name, entry.name);
+        EXPECT_EQ(find_map(entry.name), entry.map);
+    }
+    EXPECT_FALSE(find_map("no such map"));
+}
+
+class LegendTest : public GlTest {
+  protected:
+    ScreenImage drawn(int width, int height, float exposure) {
+        const Screen screen = Screen::off_screen(width, height);
+        screen.bind();
+        screen.clear();
+        Text text;
+        draw_legend(text, screen, {Map::radiance, "cornell-box", "front", 10000000, exposure});
+        return screen.read();
+    }
+
+    static int lit_pixels(const ScreenImage& image, int left, int top, int width, int height) {
+        int count = 0;
+        for (int y = top; y < top + height; ++y) {
+            for (int x = left; x < left + width; ++x) {
+                count += image.rgba[static_cast<std::size_t>(4 * (image.width * y + x))] > 100;
+            }
+        }
+        return count;
+    }
+};
+
+TEST_F(LegendTest, StandsInTheLowerLeftCorner) {
+    const ScreenImage image = drawn(640, 480, 1.3f);
+    EXPECT_GT(lit_pixels(image, 0, 360, 260, 120), 1000);
+    EXPECT_EQ(lit_pixels(image, 260, 0, 380, 480), 0);
+    EXPECT_EQ(lit_pixels(image, 0, 0, 640, 340), 0);
+}
+
+TEST_F(LegendTest, IsLeftOutWhereItDoesNotFit) {
+    EXPECT_EQ(lit_pixels(drawn(96, 96, 0), 0, 0, 96, 96), 0);
+}
+
+// The strip rises from black to white, and it is the tone curve's: its colours do not change with the exposure, the
+// radiances written below them do.
+TEST_F(LegendTest, StripHasTheColoursOfTheToneCurve) {
+    const ScreenImage image = drawn(640, 480, 0);
+    int strip = 0, longest = 0;
+    for (int y = 360; y < 480; ++y) {  // the row with the longest run of rising greys is in the strip
+        int run = 1;
+        for (int x = 1; x < 640; ++x) {
+            const auto at = [&](int column) { return image.rgba[static_cast<std::size_t>(4 * (640 * y + column))]; };
+            run = at(x) >= at(x - 1) && at(x) > 0 ? run + 1 : 1;
+            if (run > longest) {
+                longest = run;
+                strip = y;
+            }
+        }
+    }
+    EXPECT_GE(longest, 12 * 14);
+    EXPECT_GT(strip, 400);
+}
+
+}  // namespace
+}  // namespace brewster
