@@ -184,7 +184,8 @@ void Publisher::choose_leaves() {
         const LinearFit fits[2] = {LinearFit(tree_.cell(low).geometry), LinearFit(tree_.cell(high).geometry)};
         double detail = 0, noise = 0;
         for (std::size_t b = 0; b < band_count; ++b) {
-            const double band = importance[tree_.cell(node).chart][b] / (time * time);
+            // Per photon since the split, so that all noise weighs alike and young splits count by what they have seen.
+            const double band = importance[tree_.cell(node).chart][b] / time;
             double energy = -parent.energy(later.weight[b], later.moments[b]);
             double variance = -later.squares[b] / tree_.cell(node).geometry.area;
             for (const std::uint32_t side : {0u, 1u}) {
