@@ -52,28 +52,31 @@ void add_scene(CLI::App& verb, std::string& scene) {
     verb.add_option("scene", scene, "A .gltf or .glb file")->required()->type_name("SCENE");
 }
 
-/// What `solve` and `shot` share: the scene, when to stop, how to trace.
-void add_solve_options(CLI::App& verb, SolveOptions& options) {
-    options.stop.photons.reset();
-    add_scene(verb, options.scene);
-    add_whole_number(verb, "--photons", "Stop after N photons (default 1e7)", 1, largest_photon_count,
-                     [&](std::uint64_t photons) { options.stop.photons = photons; })
+/// What everything that traces has in common: when to stop, how to trace.
+void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, const std::string& default_stop) {
+    add_whole_number(verb, "--photons", "Stop after N photons (default " + default_stop + ")", 1, largest_photon_count,
+                     [&](std::uint64_t photons) { stop.photons = photons; })
         ->type_name("N");
     add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {
-        options.stop.seconds = seconds;
+        stop.seconds = seconds;
     })->type_name("S");
     add_number(verb, "--target-error", "Stop at this relative standard error (0.01 is 1 %)", 1e-6, 1,
-               [&](double error) { options.stop.target_error = error; })
+               [&](double error) { stop.target_error = error; })
         ->type_name("E");
     add_whole_number(verb, "--threads", "Threads that trace (default: as many as the machine has)", 1, 1024,
-                     [&](std::uint64_t threads) { options.engine.threads = static_cast<unsigned>(threads); })
+                     [&](std::uint64_t threads) { engine.threads = static_cast<unsigned>(threads); })
         ->type_name("T");
     add_whole_number(verb, "--seed", "Seed of the random numbers (default 1)", 0,
-                     std::numeric_limits<std::uint64_t>::max(), [&](std::uint64_t seed) { options.engine.seed = seed; })
+                     std::numeric_limits<std::uint64_t>::max(), [&](std::uint64_t seed) { engine.seed = seed; })
         ->type_name("K");
     add_number(verb, "--memory", "GiB for the bins (default 1)", 1.0 / 64, 4096, [&](double gib) {
-        options.engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
+        engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
     })->type_name("GIB");
+}
+
+void add_solve_options(CLI::App& verb, SolveOptions& options) {
+    add_scene(verb, options.scene);
+    add_trace_options(verb, options.stop, options.engine, "1e7");
     add_json(verb, options.json);
 }
 
@@ -173,6 +176,16 @@ void refuse_unknown_verb(const CLI::App& program, int argc, const char* const* a
                          "\nSee 'brewster --help'.\n"};
 }
 
+/// Options of the viewer in front of a verb would be forgotten without a word.
+void refuse_words_before_the_verb(const CLI::App& program) {
+    for (const CLI::Option* option : program.get_options()) {
+        if (option->count() > 0) {
+            throw CommandLineEnd{"brewster: " + option->get_name() +
+                                 " stands before the verb, where it does nothing\n"};
+        }
+    }
+}
+
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
@@ -195,6 +208,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     program.add_option("scene", viewer.scene, "A .gltf or .glb file to look at (default: the Cornell box)")
         ->type_name("SCENE");
     program.add_flag("--headless", viewer.headless, "Write pictures of all cameras instead of opening a window");
+    add_trace_options(program, viewer.stop, viewer.engine, "never in the window, 1e7 for pictures");
 
     CLI::App* solve_verb = program.add_subcommand("solve", "Trace photons and report what they found");
     add_solve_options(*solve_verb, solve);
@@ -236,12 +250,8 @@ Command parse_command_line(int argc, const char* const* argv) {
         throw CommandLineEnd{complaint(chosen(), failure), 2};
     }
 
-    const auto stop_after_default = [](SolveOptions& options) {
-        const StopRule& stop = options.stop;
-        if (!stop.photons && !stop.seconds && !stop.target_error) options.stop.photons = default_photons;
-    };
-    stop_after_default(solve);
-    stop_after_default(shot.solve);
+    if (!program.get_subcommands().empty()) refuse_words_before_the_verb(program);
+
     if (solve_verb->parsed()) return solve;
     if (shot_verb->parsed()) return shot;
     if (info_verb->parsed()) return info;

@@ -30,7 +30,8 @@ std::string summary(const PictureDifference& difference) {
 }  // namespace
 
 void compare_pictures(const CompareOptions& options) {
-    const PictureDifference difference = compare(read_exr(options.picture), read_exr(options.reference));
+    const Image picture = read_exr(options.picture), reference = read_exr(options.reference);
+    const PictureDifference difference = compare(picture, reference);
     print_result(options.json ? compare_report(difference) : summary(difference));
 }
 

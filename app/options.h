@@ -14,8 +14,8 @@ namespace brewster {
 inline constexpr std::uint64_t default_photons = 10'000'000;
 
 struct SolveOptions {
-    std::string scene;  ///< path of a .gltf or .glb file
-    StopRule stop{.photons = default_photons, .seconds = {}, .target_error = {}};
+    std::string scene;  ///< path of a .gltf or .glb file; empty: the scene in the binary
+    StopRule stop;
     EngineSettings engine;
     bool json = false;
 };
@@ -45,7 +45,9 @@ struct CompareOptions {
 
 /// The program without a verb.
 struct ViewerOptions {
-    std::string scene;      ///< empty: the scene in the binary
+    std::string scene;  ///< empty: the scene in the binary
+    StopRule stop;      ///< empty: a window goes on for ever, pictures take default_photons
+    EngineSettings engine;
     bool headless = false;  ///< draw pictures even where a window could be opened
 };
 

@@ -9,7 +9,10 @@ namespace brewster {
 
 void shot(const ShotOptions& options) {
     if (options.solve.json) log_only_warnings();
-    const std::shared_ptr<const Scene> scene = load_scene(options.solve.scene);
+    shot(load_scene(options.solve.scene), options);
+}
+
+void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options) {
     const std::vector<PictureName> pictures = plan_pictures(*scene, options);
     Engine engine(scene, options.solve.engine);
     trace(engine, options.solve.stop);

@@ -19,7 +19,9 @@ std::shared_ptr<const Scene> load_scene(const std::string& path) {
     return scene;
 }
 
-void trace(Engine& engine, const StopRule& rule) {
+void trace(Engine& engine, const StopRule& wished) {
+    StopRule rule = wished;
+    if (!rule.photons && !rule.seconds && !rule.target_error) rule.photons = default_photons;
     constexpr double seconds_between_looks = 0.1;
     constexpr const char* clear_line = "\r\x1b[K";
     const bool on_terminal = isatty(STDERR_FILENO) == 1;

@@ -1,5 +1,8 @@
 #pragma once
+#include <memory>
+
 #include "app/options.h"
+#include "scene/scene.h"
 
 namespace brewster {
 
@@ -7,6 +10,7 @@ namespace brewster {
 /// error; what fails throws Error.
 void solve(const SolveOptions& options);
 void shot(const ShotOptions& options);
+void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options);  ///< of a scene already read
 void info(const InfoOptions& options);
 void compare_pictures(const CompareOptions& options);
 void view(const ViewerOptions& options);

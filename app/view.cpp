@@ -1,5 +1,6 @@
 #include <cstdlib>
 
+#include "app/trace.h"
 #include "app/verbs.h"
 #include "base/log.h"
 
@@ -16,10 +17,12 @@ std::string obstacle(const ViewerOptions& options) {
 }  // namespace
 
 void view(const ViewerOptions& options) {
-    ShotOptions pictures;
-    pictures.solve.scene = options.scene;
+    const std::shared_ptr<const Scene> scene = load_scene(options.scene);
     log_info(obstacle(options) + "; pictures of all cameras go to ./pictures");
-    shot(pictures);
+    ShotOptions pictures;
+    pictures.solve.stop = options.stop;
+    pictures.solve.engine = options.engine;
+    shot(scene, pictures);
 }
 
 }  // namespace brewster

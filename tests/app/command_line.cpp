@@ -33,8 +33,7 @@ TEST(CommandLine, SolveTakesItsOptions) {
     EXPECT_TRUE(options.json);
 }
 
-TEST(CommandLine, WithoutAStopTheDefaultHolds) {
-    EXPECT_EQ(std::get<SolveOptions>(parse({"solve", "box.gltf"})).stop.photons, default_photons);
+TEST(CommandLine, StopsAreTaken) {
     const StopRule stop = std::get<SolveOptions>(parse({"solve", "box.gltf", "--seconds", "3"})).stop;
     EXPECT_FALSE(stop.photons);
     EXPECT_EQ(stop.seconds, 3.0);
@@ -67,6 +66,7 @@ TEST(CommandLine, OtherVerbs) {
     const auto viewer = std::get<ViewerOptions>(parse({"--headless", "box.gltf"}));
     EXPECT_EQ(viewer.scene, "box.gltf");
     EXPECT_TRUE(viewer.headless);
+    EXPECT_EQ(std::get<ViewerOptions>(parse({"--threads", "1"})).engine.threads, 1u);
 }
 
 TEST(CommandLine, HelpAndVersionEndWell) {
@@ -109,6 +109,7 @@ TEST(CommandLine, IncompleteAndSuperfluousArgumentsAreRefused) {
     EXPECT_EQ(end_of({"solve", "a.gltf", "b.gltf"}).exit_code, 2);
     EXPECT_EQ(end_of({"solve", "box.gltf", "--photons"}).exit_code, 2);
     EXPECT_EQ(end_of({"a.gltf", "b.gltf"}).exit_code, 2);
+    EXPECT_NE(end_of({"--seed", "2", "solve", "box.gltf"}).text.find("before the verb"), std::string::npos);
 }
 
 }  // namespace

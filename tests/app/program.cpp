@@ -209,7 +209,7 @@ TEST(Program, WithoutADisplayPicturesAreWrittenAndSaid) {
     ProcessSetting setting;
     setting.folder = folder;
     setting.empty_environment = true;
-    const ProcessResult result = run_process({brewster_program()}, setting);
+    const ProcessResult result = run_process({brewster_program(), "--photons", "2e4"}, setting);
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_NE(result.errors.find("no display"), std::string::npos) << result.errors;
     for (const char* camera : {"front", "inside", "low"}) {
