@@ -19,7 +19,7 @@ constexpr std::uint64_t largest_photon_count = 1'000'000'000'000'000;
 }
 
 CLI::Option* add_whole_number(CLI::App& verb, const std::string& option, const std::string& what, std::uint64_t least,
-                              std::uint64_t largest, std::function<void(std::uint64_t)> keep) {
+                              std::uint64_t largest, const std::function<void(std::uint64_t)>& keep) {
     const auto read = [=](const std::string& text) {
         const std::optional<std::uint64_t> value = parse_whole_number(text);
         if (!value || *value < least || *value > largest) {
@@ -33,7 +33,7 @@ CLI::Option* add_whole_number(CLI::App& verb, const std::string& option, const s
 }
 
 CLI::Option* add_number(CLI::App& verb, const std::string& option, const std::string& what, double least,
-                        double largest, std::function<void(double)> keep) {
+                        double largest, const std::function<void(double)>& keep) {
     const auto read = [=](const std::string& text) {
         const std::optional<double> value = parse_number(text);
         if (!value || *value < least || *value > largest) {
@@ -54,7 +54,7 @@ void add_scene(CLI::App& verb, std::string& scene) {
 
 /// What everything that traces has in common: when to stop, how to trace.
 void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, const std::string& default_stop) {
-    add_whole_number(verb, "--photons", "Stop after N photons (default " + default_stop + ")", 1, largest_photon_count,
+    add_whole_number(verb, "--photons", "Stop after N photons (default: " + default_stop + ")", 1, largest_photon_count,
                      [&](std::uint64_t photons) { stop.photons = photons; })
         ->type_name("N");
     add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {

@@ -9,7 +9,7 @@ namespace brewster {
 /// inverse square root of the photons.
 double finished_share(const Progress& progress, const StopRule& rule);
 
-/// One line for a terminal: bar, photons, speed, error.
+/// One line for a terminal: bar, photons, speed, and the error where it is what stops the run.
 std::string progress_line(const Progress& progress, const StopRule& rule);
 
 }  // namespace brewster

@@ -24,5 +24,14 @@ TEST(ProgressLine, ShowsTheShare) {
     EXPECT_NE(line.find("[###############...............] 50 %"), std::string::npos) << line;
 }
 
+TEST(ProgressLine, TellsTheErrorOnlyWhereItStopsTheRun) {
+    Progress progress;
+    progress.relative_error = 0.05;
+    EXPECT_EQ(progress_line(progress, {.photons = 1000, .seconds = {}, .target_error = {}}).find("error"),
+              std::string::npos);
+    EXPECT_NE(progress_line(progress, {.photons = {}, .seconds = {}, .target_error = 0.01}).find("error 5 %"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace brewster
