@@ -189,7 +189,7 @@ void refuse_words_before_the_verb(const CLI::App& program) {
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
-    ViewerOptions viewer;
+    OpenOptions open;
     SolveOptions solve;
     ShotOptions shot;
     InfoOptions info;
@@ -205,10 +205,10 @@ Command parse_command_line(int argc, const char* const* argv) {
         "  brewster shot assets/scenes/cornell-box.gltf --camera all --out 'pictures/{camera}.png'\n"
         "  brewster compare picture.exr reference.exr\n"
         "Exit codes: 0 done, 1 failed (one sentence says why), 2 the command line was wrong.");
-    program.add_option("scene", viewer.scene, "A .gltf or .glb file to look at (default: the Cornell box)")
+    program.add_option("scene", open.scene, "A .gltf or .glb file to look at (default: the Cornell box)")
         ->type_name("SCENE");
-    program.add_flag("--headless", viewer.headless, "Write pictures of all cameras instead of opening a window");
-    add_trace_options(program, viewer.stop, viewer.engine, "never in the window, 1e7 for pictures");
+    program.add_flag("--headless", open.headless, "Write pictures of all cameras instead of opening a window");
+    add_trace_options(program, open.stop, open.engine, "never in the window, 1e7 for pictures");
 
     CLI::App* solve_verb = program.add_subcommand("solve", "Trace photons and report what they found");
     add_solve_options(*solve_verb, solve);
@@ -256,7 +256,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (shot_verb->parsed()) return shot;
     if (info_verb->parsed()) return info;
     if (compare_verb->parsed()) return compare;
-    return viewer;
+    return open;
 }
 
 }  // namespace brewster

@@ -44,13 +44,13 @@ struct CompareOptions {
 };
 
 /// The program without a verb.
-struct ViewerOptions {
+struct OpenOptions {
     std::string scene;  ///< empty: the scene in the binary
     StopRule stop;      ///< empty: a window goes on for ever, pictures take default_photons
     EngineSettings engine;
     bool headless = false;  ///< draw pictures even where a window could be opened
 };
 
-using Command = std::variant<ViewerOptions, SolveOptions, ShotOptions, InfoOptions, CompareOptions>;
+using Command = std::variant<OpenOptions, SolveOptions, ShotOptions, InfoOptions, CompareOptions>;
 
 }  // namespace brewster

@@ -10,14 +10,11 @@
 #include "display/picture.h"
 #include "display/screen.h"
 #include "display/text.h"
-#include "display/tone.h"
 #include "image/exr.h"
 #include "image/png.h"
 
 namespace brewster {
 namespace {
-
-constexpr int draws_for_exposure = 16;
 
 std::vector<std::string> camera_names(const Scene& scene) {
     std::vector<std::string> names;
@@ -77,13 +74,8 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
     picture.show(std::move(bins));
     picture.upload();
 
-    float exposure = 0;
-    if (options.exposure) {
-        exposure = static_cast<float>(*options.exposure);
-    } else {
-        draw(picture, scene.cameras.front(), std::nullopt, draws_for_exposure);
-        exposure = auto_exposure(picture.stokes());
-    }
+    const float exposure =
+        options.exposure ? static_cast<float>(*options.exposure) : picture.exposure_of(scene.cameras.front());
 
     Text text;
     for (std::size_t i = 0; i < pictures.size(); ++i) {

@@ -13,6 +13,6 @@ void shot(const ShotOptions& options);
 void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options);  ///< of a scene already read
 void info(const InfoOptions& options);
 void compare_pictures(const CompareOptions& options);
-void view(const ViewerOptions& options);
+void open_scene(const OpenOptions& options);  ///< without a verb: the window, or pictures where there is none
 
 }  // namespace brewster

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "display/gl_context.h"
+#include "display/tone.h"
 
 namespace brewster {
 namespace {
@@ -132,6 +133,17 @@ Image Picture::stokes() const {
         }
     }
     return image;
+}
+
+void Picture::finish() const {
+    glFinish();
+}
+
+float Picture::exposure_of(const Camera& camera) {
+    look(camera, 128, 96);
+    draws_ = 0;
+    draw(4);
+    return auto_exposure(stokes());
 }
 
 void Picture::present(const Screen& screen, float exposure) const {

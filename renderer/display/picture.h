@@ -42,10 +42,15 @@ class Picture {
     /// Adds draws to the mean. The first looks through the pixels' centres, the next follow the R2 sequence.
     void draw(int count = 1);
     int draws() const { return draws_; }
+    void finish() const;  ///< returns when all is drawn, for measuring
 
     /// The mean of the draws: S0 .. S3 and V0 .. V3. V is the variance of the bins, which the draws share, plus that of
     /// the draws' mean, taken as if they were independent (the R2 sequence does a little better).
     Image stokes() const;
+
+    /// auto_exposure of what this camera sees, from a small picture of its own size: the same for every use of the
+    /// bins. Forgets the draws so far.
+    float exposure_of(const Camera& camera);
 
     /// Fills the screen with the mean of the draws at this exposure in EV, stretched where the sizes differ.
     void present(const Screen& screen, float exposure) const;

@@ -62,11 +62,11 @@ TEST(CommandLine, OtherVerbs) {
     const auto compare = std::get<CompareOptions>(parse({"compare", "a.exr", "b.exr"}));
     EXPECT_EQ(compare.picture, "a.exr");
     EXPECT_EQ(compare.reference, "b.exr");
-    EXPECT_EQ(std::get<ViewerOptions>(parse({})).scene, "");
-    const auto viewer = std::get<ViewerOptions>(parse({"--headless", "box.gltf"}));
-    EXPECT_EQ(viewer.scene, "box.gltf");
-    EXPECT_TRUE(viewer.headless);
-    EXPECT_EQ(std::get<ViewerOptions>(parse({"--threads", "1"})).engine.threads, 1u);
+    EXPECT_EQ(std::get<OpenOptions>(parse({})).scene, "");
+    const auto open = std::get<OpenOptions>(parse({"--headless", "box.gltf"}));
+    EXPECT_EQ(open.scene, "box.gltf");
+    EXPECT_TRUE(open.headless);
+    EXPECT_EQ(std::get<OpenOptions>(parse({"--threads", "1"})).engine.threads, 1u);
 }
 
 TEST(CommandLine, HelpAndVersionEndWell) {
