@@ -12,7 +12,6 @@
 namespace brewster {
 namespace {
 
-constexpr double distance_tolerance = 1e-5;
 constexpr double angle_tolerance = radians(0.1);
 constexpr double normal_cell = 4e-3;  // more than twice the angle, so that a normal is near two cells an axis at most
 constexpr double offset_cell = 1e-2;  // of the mesh's radius; wider than what two normals of one cell make of an offset
@@ -55,7 +54,7 @@ glm::dvec3 cell_direction(const std::array<std::int64_t, 3>& cell) {
         normal_cell);
 }
 
-bool belongs(const Face& face, const Growing& plane) {
+bool belongs(const Face& face, const Growing& plane, double distance_tolerance) {
     if (glm::dot(face.normal, plane.group.normal) < std::cos(angle_tolerance)) return false;
     glm::dvec3 low = plane.low, high = plane.high;
     double off = 0;
@@ -135,7 +134,8 @@ void add_face(Growing& plane, const Face& face, std::uint32_t index) {
 }  // namespace
 
 std::vector<PlaneGroup> plane_groups(const std::vector<glm::vec3>& vertices,
-                                     const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+                                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                     double distance_tolerance) {
     glm::dvec3 low(INFINITY), high(-INFINITY);
     for (const auto& triangle : triangles)
         for (const std::uint32_t vertex : triangle) {
@@ -160,7 +160,7 @@ std::vector<PlaneGroup> plane_groups(const std::vector<glm::vec3>& vertices,
         const std::vector<std::uint32_t>* candidates = index.candidates(face);
         Growing* home = nullptr;
         for (std::size_t k = 0; candidates && k < candidates->size() && !home; ++k)
-            if (belongs(face, planes[(*candidates)[k]])) home = &planes[(*candidates)[k]];
+            if (belongs(face, planes[(*candidates)[k]], distance_tolerance)) home = &planes[(*candidates)[k]];
         if (!home) {
             Growing plane;
             plane.group.normal = face.normal;

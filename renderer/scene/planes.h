@@ -14,10 +14,11 @@ struct PlaneGroup {
 };
 
 /// Sorts triangles into planes, connected or not: their normals agree within 0.1 degree and their corners lie within
-/// 1e-5 of the group's size of its plane. Each triangle is in one group; groups stand in the order of their first
-/// triangles. On a curved mesh every facet becomes a group of its own. Triangles must have an area.
-/// Near linear in the number of triangles: planes are found by a hash of normal and offset.
+/// `distance_tolerance` of the group's size of its plane. Each triangle is in one group; groups stand in the order of
+/// their first triangles. On a curved mesh every facet becomes a group of its own. Triangles must have an area. Near
+/// linear in the number of triangles: planes are found by a hash of normal and offset.
 std::vector<PlaneGroup> plane_groups(const std::vector<glm::vec3>& vertices,
-                                     const std::vector<std::array<std::uint32_t, 3>>& triangles);
+                                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                     double distance_tolerance = 1e-5);
 
 }  // namespace brewster

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "scene/planes.h"
 #include "scene/seams.h"
 
 namespace brewster {
@@ -19,23 +20,24 @@ struct RawHit {
     float distance = 0, b1 = 0, b2 = 0;
 };
 
-// A context whose filter rejects hits on one surface.
+// A context whose filter rejects hits on the plane of one surface.
 struct LeavingContext {
     RTCIntersectContext base;
     const Scene* scene;
-    const std::vector<Seam>* seams;  // null: primitives are triangles
+    const std::vector<std::uint32_t>* planes;  // by surface
+    const std::vector<Seam>* seams;            // null: primitives are triangles
     std::uint32_t leaving;
 
-    std::uint32_t surface_of(unsigned primitive) const {
-        return scene->triangles[seams ? (*seams)[primitive / 2].triangle : primitive].surface;
+    bool rejects(unsigned primitive) const {
+        const std::uint32_t surface = scene->triangles[seams ? (*seams)[primitive / 2].triangle : primitive].surface;
+        return leaving != no_surface && (*planes)[surface] == (*planes)[leaving];
     }
 };
 
 void reject_leaving(const RTCFilterFunctionNArguments* arguments) {
     const auto& context = *reinterpret_cast<const LeavingContext*>(arguments->context);
     for (unsigned i = 0; i < arguments->N; ++i)
-        if (arguments->valid[i] &&
-            context.surface_of(RTCHitN_primID(arguments->hit, arguments->N, i)) == context.leaving)
+        if (arguments->valid[i] && context.rejects(RTCHitN_primID(arguments->hit, arguments->N, i)))
             arguments->valid[i] = 0;
 }
 
@@ -57,12 +59,48 @@ RawHit raw_hit(const RTCRayHit& query) {
     return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
 }
 
+// The planes that surfaces lie in, either way up: a ray that leaves one surface of a plane cannot meet another.
+std::vector<std::uint32_t> planes_of_surfaces(const Scene& scene) {
+    constexpr double same_plane = 1e-6;  // of the size
+    std::vector<glm::vec3> corners;
+    std::vector<std::array<std::uint32_t, 3>> halves;
+    std::vector<std::uint32_t> surfaces;  // of the rectangles
+    for (std::uint32_t i = 0; i < scene.charts.size(); ++i) {
+        const Chart& chart = scene.charts[i];
+        if (scene.triangles[chart.first_triangle].front_chart != i) continue;
+        const glm::vec3 u = chart.size_u * chart.axis_u, v = chart.size_v * chart.axis_v, n = chart.normal;
+        const bool turned = n.x < 0 || (n.x == 0 && (n.y < 0 || (n.y == 0 && n.z < 0)));
+        const auto first = static_cast<std::uint32_t>(corners.size());
+        for (const glm::vec3& corner : {chart.origin, chart.origin + u, chart.origin + u + v, chart.origin + v})
+            corners.push_back(corner);
+        for (const std::uint32_t k : {1u, 2u})
+            halves.push_back({first, first + (turned ? k + 1 : k), first + (turned ? k : k + 1)});
+        surfaces.push_back(chart.surface);
+    }
+    std::vector<std::uint32_t> planes(surfaces.empty() ? 0 : surfaces.back() + 1);
+    std::uint32_t plane = 0;
+    for (const PlaneGroup& group : plane_groups(corners, halves, same_plane)) {
+        for (const std::uint32_t half : group.triangles) planes[surfaces[half / 2]] = plane;
+        ++plane;
+    }
+    return planes;
+}
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
+using Tree = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+
 }  // namespace
 
 struct Rays::Impl {
-    explicit Impl(const Scene& whole) : scene(whole), seams(open_seams(whole)) {
+    explicit Impl(const Scene& whole) : scene(whole), seams(open_seams(whole)), planes(planes_of_surfaces(whole)) {
         // Another instruction set gives other bits; robust: shared edges are watertight.
-        device = rtcNewDevice("isa=avx2,threads=1,verbose=0");
+        device.reset(rtcNewDevice("isa=avx2,threads=1,verbose=0"));
         if (!device) throw Error("Embree does not start", "rays", "use a CPU with AVX2");
         std::vector<std::array<std::uint32_t, 3>> indices;
         for (const Triangle& triangle : scene.triangles) indices.push_back(triangle.vertices);
@@ -79,18 +117,9 @@ struct Rays::Impl {
         if (!seams.empty()) edges = commit(corners, indices);
     }
 
-    ~Impl() {
-        if (edges) rtcReleaseScene(edges);
-        if (surfaces) rtcReleaseScene(surfaces);
-        rtcReleaseDevice(device);
-    }
-
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
-
-    RTCScene commit(const std::vector<glm::vec3>& vertices,
-                    const std::vector<std::array<std::uint32_t, 3>>& indices) const {
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    Tree commit(const std::vector<glm::vec3>& vertices,
+                const std::vector<std::array<std::uint32_t, 3>>& indices) const {
+        RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         void* vertex_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                       sizeof(glm::vec3), vertices.size());
         void* index_buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -103,17 +132,15 @@ struct Rays::Impl {
         std::copy(indices.begin(), indices.end(), static_cast<std::array<std::uint32_t, 3>*>(index_buffer));
         rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
         rtcCommitGeometry(geometry);
-        RTCScene tree = rtcNewScene(device);
-        rtcSetSceneFlags(tree,
+        Tree tree(rtcNewScene(device.get()));
+        rtcSetSceneFlags(tree.get(),
                          static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
-        rtcSetSceneBuildQuality(tree, RTC_BUILD_QUALITY_HIGH);
-        rtcAttachGeometry(tree, geometry);
+        rtcSetSceneBuildQuality(tree.get(), RTC_BUILD_QUALITY_HIGH);
+        rtcAttachGeometry(tree.get(), geometry);
         rtcReleaseGeometry(geometry);
-        rtcCommitScene(tree);
-        if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
-            rtcReleaseScene(tree);
+        rtcCommitScene(tree.get());
+        if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
             throw Error("Embree fails with code " + std::to_string(error), scene.name, "simplify its meshes");
-        }
         return tree;
     }
 
@@ -126,7 +153,7 @@ struct Rays::Impl {
     }
 
     RawHit trace_leaving(RTCScene tree, const std::vector<Seam>* of_seams, const Ray& ray) const {
-        LeavingContext context{{}, &scene, of_seams, ray.leaving};
+        LeavingContext context{{}, &scene, &planes, of_seams, ray.leaving};
         rtcInitIntersectContext(&context.base);
         context.base.filter = reject_leaving;
         RTCRayHit query = embree_ray(ray);
@@ -154,18 +181,19 @@ struct Rays::Impl {
         }
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
-        rtcIntersect8(valid, surfaces, &context, &query);
+        rtcIntersect8(valid, surfaces.get(), &context, &query);
         for (std::size_t i = 0; i < count; ++i)
             hits[i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};
     }
 
     // From the first answer to the hit: past the surface left, against the seams, onto the triangle.
     Hit finished(const Ray& ray, RawHit raw) const {
-        if (raw.primitive != RTC_INVALID_GEOMETRY_ID && scene.triangles[raw.primitive].surface == ray.leaving)
-            raw = trace_leaving(surfaces, nullptr, ray);
+        if (raw.primitive != RTC_INVALID_GEOMETRY_ID && ray.leaving != no_surface &&
+            planes[scene.triangles[raw.primitive].surface] == planes[ray.leaving])
+            raw = trace_leaving(surfaces.get(), nullptr, ray);
         if (raw.primitive != RTC_INVALID_GEOMETRY_ID) return hit_on(ray, raw.primitive, raw);
         if (!edges) return {};
-        raw = trace_leaving(edges, &seams, ray);
+        raw = trace_leaving(edges.get(), &seams, ray);
         if (raw.primitive == RTC_INVALID_GEOMETRY_ID) return {};
         return hit_on(ray, seams[raw.primitive / 2].triangle, onto_triangle(raw));
     }
@@ -203,8 +231,9 @@ struct Rays::Impl {
 
     const Scene& scene;
     const std::vector<Seam> seams;
-    RTCDevice device = nullptr;
-    RTCScene surfaces = nullptr, edges = nullptr;
+    const std::vector<std::uint32_t> planes;  // by surface
+    Device device;                            // outlives the trees
+    Tree surfaces, edges;
 };
 
 Rays::Rays(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
@@ -214,7 +243,7 @@ void Rays::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
     BREWSTER_CHECK(rays.size() == hits.size(),
                    std::to_string(rays.size()) + " rays, " + std::to_string(hits.size()) + " hits");
     if (rays.size() == 1) {
-        hits[0] = impl_->finished(rays[0], Impl::trace(impl_->surfaces, rays[0]));
+        hits[0] = impl_->finished(rays[0], Impl::trace(impl_->surfaces.get(), rays[0]));
         return;
     }
     for (std::size_t first = 0; first < rays.size(); first += 8) {

@@ -11,7 +11,7 @@ namespace brewster {
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f, 0.0f, 1.0f};  ///< unit
-    std::uint32_t leaving = no_surface;     ///< the surface the ray starts on; it cannot be hit
+    std::uint32_t leaving = no_surface;     ///< the surface the ray starts on; nothing in its plane can be hit
 };
 
 /// Where a ray meets the scene first. `position` lies on the triangle's plane, pulled inside its edges by 1e-6 of the

@@ -35,17 +35,19 @@ const Camera& Scene::camera(const std::string& camera_name) const {
 
 std::vector<std::uint32_t> Scene::charts_of(const std::string& mesh_name) const {
     std::vector<std::uint32_t> of_node, of_mesh;
-    std::vector<std::string> names, owners;
+    bool unique = true;
     for (std::uint32_t i = 0; i < charts.size(); ++i) {
-        const Chart& chart = charts[i];
-        if (std::find(names.begin(), names.end(), chart.mesh) == names.end()) names.push_back(chart.mesh);
-        if (chart.mesh == mesh_name) of_node.push_back(i);
-        if (chart.mesh_name != mesh_name) continue;
+        if (charts[i].mesh == mesh_name) of_node.push_back(i);
+        if (charts[i].mesh_name != mesh_name) continue;
         of_mesh.push_back(i);
-        if (std::find(owners.begin(), owners.end(), chart.mesh) == owners.end()) owners.push_back(chart.mesh);
+        unique = unique && charts[i].mesh == charts[of_mesh.front()].mesh;
     }
     if (!of_node.empty()) return of_node;
-    if (owners.size() == 1) return of_mesh;
+    if (!of_mesh.empty() && unique) return of_mesh;
+    std::vector<std::string> names;
+    for (const Chart& chart : charts) names.push_back(chart.mesh);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     throw Error("it has no mesh \"" + mesh_name + "\"", name, "choose one of " + quoted_list(names));
 }
 

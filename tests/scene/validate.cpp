@@ -1,0 +1,288 @@
+#include "scene/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "base/error.h"
+#include "scene/gltf_builder.h"
+#include "scene/gltf_parse.h"
+#include "scene/scene.h"
+
+namespace brewster {
+namespace {
+
+// A lit, seen quad: one mesh, material, camera, light, and a child node.
+GltfBuilder whole_file() {
+    GltfBuilder file;
+    file.add_material("grey", {0.5, 0.5, 0.5}, 3);
+    file.add_polygon("square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    file.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.9}, {"znear", 0.1}}}}};
+    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"}, {"spot", {{"outerConeAngle", 0.5}}}}};
+    file.json["nodes"].push_back({{"camera", 0}, {"translation", {0, 0, 3}}});
+    file.json["nodes"][0]["children"] = {1};
+    file.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    return file;
+}
+
+struct Mutation {
+    std::string name;
+    std::function<void(nlohmann::json&)> change;
+    std::string words;  // of the message
+};
+
+using J = nlohmann::json;
+
+const std::vector<Mutation>& mutations() {
+    static const std::vector<Mutation> all = {
+        {"BufferViewOfNone", [](J& f) { f["accessors"][0]["bufferView"] = 9; },
+         "\"accessors[0].bufferView\" is 9, but there are 2 bufferViews"},
+        {"HugeCount", [](J& f) { f["accessors"][0]["count"] = 100000000000; },
+         "\"accessors[0]\" with its count of 100000000000 ends beyond its bufferView"},
+        {"CountBeyond48Bits", [](J& f) { f["accessors"][0]["count"] = std::uint64_t{1} << 60; },
+         "\"accessors[0].count\" is 1152921504606846976, too large"},
+        {"FloatCount", [](J& f) { f["accessors"][0]["count"] = 1e11; }, "\"accessors[0].count\" is not an integer"},
+        {"ZeroCount", [](J& f) { f["accessors"][0]["count"] = 0; }, "\"accessors[0].count\" is 0"},
+        {"OneElementTooMany", [](J& f) { f["accessors"][0]["count"] = 5; }, "ends beyond its bufferView"},
+        {"NegativeIndex", [](J& f) { f["meshes"][0]["primitives"][0]["indices"] = -3; },
+         "\"meshes[0].primitives[0].indices\" is -3, below zero"},
+        {"NegativeAttribute", [](J& f) { f["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = -3; },
+         "attributes.POSITION\" is -3, below zero"},
+        {"AttributeOfNone", [](J& f) { f["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 7; },
+         "attributes.NORMAL\" is 7, but there are 2 accessors"},
+        {"MaterialOfNone", [](J& f) { f["meshes"][0]["primitives"][0]["material"] = 1; },
+         "primitives[0].material\" is 1, but there are 1 materials"},
+        {"MaterialByName", [](J& f) { f["meshes"][0]["primitives"][0]["material"] = "grey"; },
+         "material\" is not an integer"},
+        {"NoPosition",
+         [](J& f) {
+             f["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
+         },
+         "\"meshes[0].primitives[0]\" has no POSITION"},
+        {"NoAttributes", [](J& f) { f["meshes"][0]["primitives"][0].erase("attributes"); }, "attributes"},
+        {"UnknownMode", [](J& f) { f["meshes"][0]["primitives"][0]["mode"] = 7; }, "mode\" is 7, unknown"},
+        {"PrimitivesNoList", [](J& f) { f["meshes"][0]["primitives"] = 3; }, "\"meshes[0].primitives\" is not a list"},
+        {"PositionsOfIntegers", [](J& f) { f["accessors"][0]["componentType"] = 5125; },
+         "POSITION\" is not a VEC3 of floats"},
+        {"PositionsInPairs", [](J& f) { f["accessors"][0]["type"] = "VEC2"; }, "is not a VEC3 of floats"},
+        {"UnknownComponentType", [](J& f) { f["accessors"][0]["componentType"] = 5130; },
+         "\"accessors[0].componentType\" is 5130, unknown"},
+        {"UnknownType", [](J& f) { f["accessors"][0]["type"] = "VEC5"; }, "not valid glTF 2.0"},
+        {"IndicesOfFloats", [](J& f) { f["accessors"][1]["componentType"] = 5126; },
+         "indices\" is not a SCALAR of unsigned integers"},
+        {"IndicesNotThrees", [](J& f) { f["accessors"][1]["count"] = 5; }, "has 5 triangle corners"},
+        {"MisalignedOffset", [](J& f) { f["accessors"][1]["byteOffset"] = 2; },
+         "is not a multiple of the component's size"},
+        {"NegativeOffset", [](J& f) { f["accessors"][0]["byteOffset"] = -4; }, "byteOffset\" is -4, below zero"},
+        {"OffsetBeyondView", [](J& f) { f["accessors"][0]["byteOffset"] = 4000; }, "ends beyond its bufferView"},
+        {"ViewBeyondBuffer", [](J& f) { f["bufferViews"][0]["byteLength"] = 4096; },
+         "\"bufferViews[0]\" ends beyond its buffer of 72 bytes"},
+        {"ViewOffsetOverflows",
+         [](J& f) {
+             f["bufferViews"][0]["byteOffset"] = std::uint64_t{1} << 48;
+             f["bufferViews"][0]["byteLength"] = std::uint64_t{1} << 48;
+         },
+         "ends beyond its buffer"},
+        {"EmptyView", [](J& f) { f["bufferViews"][0]["byteLength"] = 0; }, "\"bufferViews[0].byteLength\" is 0"},
+        {"ViewOfNoBuffer", [](J& f) { f["bufferViews"][0]["buffer"] = 1; }, "buffer\" is 1, but there are 1 buffers"},
+        {"OddStride", [](J& f) { f["bufferViews"][0]["byteStride"] = 13; }, "byteStride"},
+        {"StrideBelowElement", [](J& f) { f["bufferViews"][0]["byteStride"] = 8; },
+         "elements that are larger than the stride"},
+        {"StrideBeyondView", [](J& f) { f["bufferViews"][0]["byteStride"] = 252; }, "ends beyond its bufferView"},
+        {"SparsePositions",
+         [](J& f) {
+             f["accessors"][0]["sparse"] = {{"count", 1},
+                                            {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
+                                            {"values", {{"bufferView", 0}}}};
+         },
+         "is a sparse accessor, which is not read"},
+        {"BufferTooShort", [](J& f) { f["buffers"][0]["byteLength"] = 71; }, "not valid glTF 2.0"},
+        {"BrokenBase64", [](J& f) { f["buffers"][0]["uri"] = "data:application/octet-stream;base64,@@@@"; },
+         "not valid glTF 2.0"},
+        {"NoUri", [](J& f) { f["buffers"][0].erase("uri"); }, "not valid glTF 2.0"},
+        {"FileForAnEmbeddedScene", [](J& f) { f["buffers"][0]["uri"] = "some.bin"; }, "some.bin"},
+        {"MeshOfNone", [](J& f) { f["nodes"][0]["mesh"] = 5; }, "\"nodes[0].mesh\" is 5, but there are 1 meshes"},
+        {"CameraOfNone", [](J& f) { f["nodes"][1]["camera"] = 1; }, "\"nodes[1].camera\" is 1"},
+        {"LightOfNone", [](J& f) { f["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = 3; },
+         "\"nodes[2].light\" is 3, but there are 1 lights"},
+        {"NegativeLight", [](J& f) { f["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = -1; },
+         "light\" is -1, below zero"},
+        {"ChildOfNone", [](J& f) { f["nodes"][0]["children"] = {8}; }, "\"nodes[0].children\" is 8"},
+        {"Cycle", [](J& f) { f["nodes"][1]["children"] = {0}; }, "cycle"},
+        {"OwnChild", [](J& f) { f["nodes"][2]["children"] = {2}; }, "cycle"},
+        {"TwoParents", [](J& f) { f["nodes"][2]["children"] = {1}; }, "\"nodes[1]\" is the child of several nodes"},
+        {"SceneNamesAChild",
+         [](J& f) {
+             f["scenes"][0]["nodes"] = {0, 1};
+         },
+         "names node 1, which has a parent"},
+        {"SceneNamesANodeTwice",
+         [](J& f) {
+             f["scenes"][0]["nodes"] = {0, 0};
+         },
+         "names a node twice"},
+        {"SceneOfNone", [](J& f) { f["scene"] = 4; }, "\"scene\" is 4, but there are 1 scenes"},
+        {"SceneNodeOfNone", [](J& f) { f["scenes"][0]["nodes"] = {12}; }, "\"scenes[0].nodes\" is 12"},
+        {"ShortMatrix",
+         [](J& f) {
+             f["nodes"][0]["matrix"] = {1, 0, 0};
+         },
+         "\"nodes[0].matrix\" is not a list of 16 numbers"},
+        {"ProjectiveMatrix", [](J& f) { f["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; },
+         "\"nodes[0].matrix\" does not end in the row 0 0 0 1"},
+        {"TextInTranslation",
+         [](J& f) {
+             f["nodes"][0]["translation"] = {0, "a", 0};
+         },
+         "is not a list of 3 numbers"},
+        {"FarTranslation",
+         [](J& f) {
+             f["nodes"][0]["translation"] = {1e300, 0, 0};
+         },
+         "out of range"},
+        {"ZeroRotation",
+         [](J& f) {
+             f["nodes"][0]["rotation"] = {0, 0, 0, 0};
+         },
+         "is zero, not a unit quaternion"},
+        {"ScaleIsANumber", [](J& f) { f["nodes"][0]["scale"] = 2; }, "\"nodes[0].scale\" is not a list of 3 numbers"},
+        {"AlbedoAboveOne",
+         [](J& f) {
+             f["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {2, 0, 0, 1};
+         },
+         "baseColorFactor\" is 2.000000, out of range"},
+        {"NegativeEmission",
+         [](J& f) {
+             f["materials"][0]["emissiveFactor"] = {-1, 0, 0};
+         },
+         "out of range"},
+        {"NegativeStrength",
+         [](J& f) { f["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = -1; },
+         "emissiveStrength\" is -1.000000, out of range"},
+        {"MetallicIsText", [](J& f) { f["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = "no"; },
+         "metallicFactor\" is not a number"},
+        {"SmallIor",
+         [](J& f) {
+             f["materials"][0]["extensions"]["KHR_materials_ior"] = {{"ior", 0.5}};
+         },
+         "ior\" is 0.500000, out of range"},
+        {"DoubleSidedIsANumber", [](J& f) { f["materials"][0]["doubleSided"] = 1; }, "is neither true nor false"},
+        {"WideField", [](J& f) { f["cameras"][0]["perspective"]["yfov"] = 3.2; }, "yfov\" is 3.200000, out of range"},
+        {"NoField", [](J& f) { f["cameras"][0]["perspective"].erase("yfov"); }, "yfov"},
+        {"UnknownCamera", [](J& f) { f["cameras"][0]["type"] = "fisheye"; }, "not valid glTF 2.0"},
+        {"UnknownLight", [](J& f) { f["extensions"]["KHR_lights_punctual"]["lights"][0]["type"] = "laser"; },
+         "type\" is \"laser\", not directional, point or spot"},
+        {"InnerConeBeyondOuter",
+         [](J& f) { f["extensions"]["KHR_lights_punctual"]["lights"][0]["spot"]["innerConeAngle"] = 0.6; },
+         "innerConeAngle\" is 0.600000, out of range"},
+        {"WideCone", [](J& f) { f["extensions"]["KHR_lights_punctual"]["lights"][0]["spot"]["outerConeAngle"] = 2; },
+         "outerConeAngle\" is 2.000000, out of range"},
+        {"UnknownExtensionRequired", [](J& f) { f["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
+         "it requires the extension KHR_draco_mesh_compression, which is not read"},
+        {"NoAsset", [](J& f) { f.erase("asset"); }, "asset"},
+        {"NodesNoList",
+         [](J& f) {
+             f["nodes"] = {{"a", 1}};
+         },
+         "\"nodes\" is not a list"},
+        {"NodeIsANumber", [](J& f) { f["nodes"].push_back(7); }, "\"nodes[3]\" is not an object"},
+        {"NoTriangles", [](J& f) { f["scenes"][0]["nodes"] = {2}; }, "it has no triangles"},
+        {"NoAreas",
+         [](J& f) {
+             f["nodes"][0]["scale"] = {1, 0, 1};
+         },
+         "none of its triangles has an area"},
+        {"TooLarge",
+         [](J& f) {
+             f["nodes"][0]["scale"] = {1e9, 1e9, 1e9};
+         },
+         "m across"},
+        {"TooSmall",
+         [](J& f) {
+             f["nodes"][0]["scale"] = {1e-9, 1e-9, 1e-9};
+         },
+         "m across"},
+    };
+    return all;
+}
+
+class Malformed : public testing::TestWithParam<Mutation> {};
+
+std::string message_of(const std::string& text) {
+    try {
+        read_scene_text(text, "test");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Validate, TheUnchangedFileIsRead) {
+    EXPECT_EQ(message_of(whole_file().text()), "no error");
+}
+
+TEST_P(Malformed, EndsInWords) {
+    nlohmann::json file = nlohmann::json::parse(whole_file().text());
+    GetParam().change(file);
+    const std::string message = message_of(file.dump());
+    EXPECT_NE(message.find(GetParam().words), std::string::npos) << message;
+    EXPECT_EQ(message.rfind("test: ", 0), 0u) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Malformed, testing::ValuesIn(mutations()),
+                         [](const auto& each) { return each.param.name; });
+
+TEST(Validate, VertexIndicesBeyondTheVertices) {
+    GltfBuilder file;
+    file.add_material("grey", {0.5, 0.5, 0.5});
+    file.add_mesh("bad", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 3}});
+    EXPECT_NE(message_of(file.text()).find("indices\" holds vertex 3, but there are 3"), std::string::npos);
+}
+
+TEST(Validate, PositionsThatAreNotFinite) {
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        GltfBuilder file;
+        file.add_material("grey", {0.5, 0.5, 0.5});
+        file.add_mesh("bad", {{0, 0, 0}, {1, bad, 0}, {1, 1, 0}}, {{0, 1, 2}});
+        EXPECT_NE(message_of(file.text()).find("not finite at vertex 1"), std::string::npos);
+    }
+}
+
+TEST(Validate, BrokenTextIsLocated) {
+    EXPECT_NE(message_of("{\n \"asset\": }").find("line 2"), std::string::npos);
+    EXPECT_NE(message_of("").find("JSON is broken"), std::string::npos);
+    EXPECT_NE(message_of("[]").find("is not a JSON object"), std::string::npos);
+    EXPECT_NE(message_of("{\"a\": 1e999}").find("JSON is broken"), std::string::npos);
+    EXPECT_NE(message_of("{\"a\": \"\xff\"}").find("JSON is broken"), std::string::npos);
+    EXPECT_NE(message_of(std::string(100000, '[')).find("64 levels deep"), std::string::npos);
+}
+
+// Every prefix of a file, and every byte of it replaced: an Error or a scene, never anything else. The sanitizers
+// watch.
+TEST(Validate, TruncatedAndScratchedFilesNeverCrash) {
+    const std::string text = whole_file().text(), binary = whole_file().glb();
+    int read = 0, refused = 0;
+    const auto attempt = [&](const std::string& bytes) { message_of(bytes) == "no error" ? ++read : ++refused; };
+    for (std::size_t length = 0; length < binary.size(); length += 3) attempt(binary.substr(0, length));
+    for (std::size_t i = 0; i < text.size(); i += 3) {
+        attempt(text.substr(0, i));
+        for (const char c : {'\0', '9', '-', '"', '}', '\x80'}) {
+            std::string scratched = text;
+            scratched[i] = c;
+            attempt(scratched);
+        }
+    }
+    for (std::size_t i = 0; i < binary.size(); ++i) {
+        std::string scratched = binary;
+        scratched[i] = static_cast<char>(scratched[i] ^ 0xff);
+        attempt(scratched);
+    }
+    EXPECT_GT(read, 100);  // a changed digit of a colour is still a file
+    EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace brewster
