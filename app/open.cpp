@@ -25,10 +25,10 @@ std::unique_ptr<Window> open_window(const Scene& scene, std::string& obstacle) {
 }
 
 std::string progress_words(Engine& engine) {
+    const bool done = engine.wait_for(0);  // throws what a worker failed of
     const Progress progress = engine.progress();
-    if (!progress.running) engine.wait();  // throws what a worker failed of
     return with_magnitude(static_cast<double>(progress.photons)) + " photons" +
-           (progress.running ? ", " + with_magnitude(progress.photons_per_second()) + " a second" : "");
+           (done ? ", done" : ", " + with_magnitude(progress.photons_per_second()) + " a second");
 }
 
 void show(Window& window, const std::shared_ptr<const Scene>& scene, const OpenOptions& options) {
