@@ -59,6 +59,7 @@ struct GltfMaterial {
 struct GltfCamera {
     std::string name, type;
     double vertical_field_of_view = 0, near_distance = 0;
+    double aspect_ratio = 0;  ///< 0: the file does not say
 };
 
 /// KHR_lights_punctual.

@@ -182,7 +182,8 @@ GltfFile file_of(tinygltf::Model&& from) {
     for (const tinygltf::Node& node : from.nodes) file.nodes.push_back(node_of(node));
     for (const tinygltf::Material& material : from.materials) file.materials.push_back(material_of(material));
     for (const tinygltf::Camera& camera : from.cameras)
-        file.cameras.push_back({camera.name, camera.type, camera.perspective.yfov, camera.perspective.znear});
+        file.cameras.push_back({camera.name, camera.type, camera.perspective.yfov, camera.perspective.znear,
+                                camera.perspective.aspectRatio});
     for (const tinygltf::Light& light : from.lights) file.lights.push_back(light_of(light));
     for (const tinygltf::Scene& scene : from.scenes) file.scenes.push_back(scene.nodes);
     file.scene = from.defaultScene;

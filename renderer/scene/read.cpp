@@ -254,6 +254,7 @@ class Reader {
         camera.up = glm::vec3(glm::normalize(upright));
         camera.vertical_field_of_view = static_cast<float>(from.vertical_field_of_view);
         camera.near_distance = static_cast<float>(from.near_distance);
+        if (from.aspect_ratio > 0) camera.aspect_ratio = static_cast<float>(from.aspect_ratio);
         const std::string wanted = camera.name;
         for (int k = 2; name_is_taken(camera.name); ++k) camera.name = wanted + " " + std::to_string(k);
         if (camera.name != wanted)

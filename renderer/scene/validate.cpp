@@ -161,6 +161,7 @@ struct Validator {
         if (camera.type != "perspective") return;  // not read, see the warnings
         check_range(camera.vertical_field_of_view, 1e-4, pi - 1e-4, item("cameras", i) + ".perspective.yfov");
         check_range(camera.near_distance, 1e-9, 1e12, item("cameras", i) + ".perspective.znear");
+        check_range(camera.aspect_ratio, 0, 1e4, item("cameras", i) + ".perspective.aspectRatio");
     }
 
     void check_light(std::size_t i) const {

@@ -1,0 +1,262 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "app/suggestion.h"
+
+namespace brewster {
+namespace {
+
+constexpr double bytes_per_gib = 1073741824.0;
+constexpr std::uint64_t largest_photon_count = 1'000'000'000'000'000;
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wish) {
+    throw CLI::ValidationError(option, "'" + text + "' is not " + wish);
+}
+
+CLI::Option* add_whole_number(CLI::App& verb, const std::string& option, const std::string& what, std::uint64_t least,
+                              std::uint64_t largest, const std::function<void(std::uint64_t)>& keep) {
+    const auto read = [=](const std::string& text) {
+        const std::optional<std::uint64_t> value = parse_whole_number(text);
+        if (!value || *value < least || *value > largest) {
+            refuse(option, text,
+                   "a whole number from " + std::to_string(least) + " to " + std::to_string(largest) +
+                       " (written like 20000000 or 2e7)");
+        }
+        keep(*value);
+    };
+    return verb.add_option_function<std::string>(option, read, what);
+}
+
+CLI::Option* add_number(CLI::App& verb, const std::string& option, const std::string& what, double least,
+                        double largest, const std::function<void(double)>& keep) {
+    const auto read = [=](const std::string& text) {
+        const std::optional<double> value = parse_number(text);
+        if (!value || *value < least || *value > largest) {
+            refuse(option, text, "a number from " + significant(least) + " to " + significant(largest));
+        }
+        keep(*value);
+    };
+    return verb.add_option_function<std::string>(option, read, what);
+}
+
+void add_json(CLI::App& verb, bool& json) {
+    verb.add_flag("--json", json, "One JSON object on standard output, and nothing else there");
+}
+
+void add_scene(CLI::App& verb, std::string& scene) {
+    verb.add_option("scene", scene, "A .gltf or .glb file")->required()->type_name("SCENE");
+}
+
+/// What everything that traces has in common: when to stop, how to trace.
+void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, const std::string& default_stop) {
+    add_whole_number(verb, "--photons", "Stop after N photons (default: " + default_stop + ")", 1, largest_photon_count,
+                     [&](std::uint64_t photons) { stop.photons = photons; })
+        ->type_name("N");
+    add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {
+        stop.seconds = seconds;
+    })->type_name("S");
+    add_number(verb, "--target-error", "Stop at this relative standard error (0.01 is 1 %)", 1e-6, 1,
+               [&](double error) { stop.target_error = error; })
+        ->type_name("E");
+    add_whole_number(verb, "--threads", "Threads that trace (default: as many as the machine has)", 1, 1024,
+                     [&](std::uint64_t threads) { engine.threads = static_cast<unsigned>(threads); })
+        ->type_name("T");
+    add_whole_number(verb, "--seed", "Seed of the random numbers (default 1)", 0,
+                     std::numeric_limits<std::uint64_t>::max(), [&](std::uint64_t seed) { engine.seed = seed; })
+        ->type_name("K");
+    add_number(verb, "--memory", "GiB for the bins (default 1)", 1.0 / 64, 4096, [&](double gib) {
+        engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
+    })->type_name("GIB");
+}
+
+void add_solve_options(CLI::App& verb, SolveOptions& options) {
+    add_scene(verb, options.scene);
+    add_trace_options(verb, options.stop, options.engine, "1e7");
+    add_json(verb, options.json);
+}
+
+std::vector<Map> parse_maps(const std::vector<std::string>& names) {
+    std::vector<Map> maps;
+    std::vector<std::string> known = {"all"};
+    for (const MapDescription& entry : map_descriptions) known.emplace_back(entry.name);
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            refuse("--map", name, "a map" + did_you_mean(name, known));
+        }
+        for (const MapDescription& entry : map_descriptions) {
+            if (name == entry.name || name == "all") maps.push_back(entry.map);
+        }
+    }
+    return maps;
+}
+
+std::string map_list() {
+    std::string list;
+    for (const MapDescription& entry : map_descriptions) list += std::string(entry.name) + ", ";
+    return list + "or all";
+}
+
+void add_shot_options(CLI::App& verb, ShotOptions& options) {
+    add_solve_options(verb, options.solve);
+    verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    verb.add_option_function<std::string>(
+            "--size",
+            [&](const std::string& text) {
+                options.size = parse_size(text);
+                if (!options.size) {
+                    refuse("--size", text,
+                           "a size like 640x480, each side from 1 to " + std::to_string(largest_picture_side));
+                }
+            },
+            "Pixels (default: " + std::to_string(default_picture_height) + " rows, columns by the camera's shape)")
+        ->type_name("WxH");
+    verb.add_option_function<std::vector<std::string>>(
+            "--map", [&](const std::vector<std::string>& names) { options.maps = parse_maps(names); },
+            "What to show: " + map_list() + " (default " + std::string(map_descriptions.front().name) +
+                "); may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    add_number(verb, "--exposure", "Stops brighter or darker than 1 cd/m2 = white (default: fits the first camera)",
+               -64, 64, [&](double stops) { options.exposure = stops; })
+        ->type_name("EV");
+    add_whole_number(verb, "--samples", "Jittered draws a picture is the mean of (default 64)", 1, 1 << 20,
+                     [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
+        ->type_name("J");
+    verb.add_option_function<std::string>(
+            "--legend",
+            [&](const std::string& text) {
+                if (text != "on" && text != "off") refuse("--legend", text, "on or off");
+                options.legend = text == "on";
+            },
+            "The words in the corner of a PNG picture (default on)")
+        ->type_name("on|off");
+    verb.add_option("--out", options.out,
+                    "Where to, .png or .exr, with {camera} and {map} filled in (default " + options.out + ")")
+        ->type_name("FILE");
+}
+
+std::vector<std::string> option_names(const CLI::App& verb) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : verb.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+/// The sentence for a command line that CLI11 refused.
+std::string complaint(const CLI::App& verb, const CLI::ParseError& failure) {
+    std::string text = failure.what();
+    const std::vector<std::string> unknown = verb.remaining(true);
+    if (dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr && !unknown.empty()) {
+        text = "'" + unknown.front() + "' was not expected";
+        if (unknown.front().starts_with("-")) text += did_you_mean(unknown.front(), option_names(verb));
+    }
+    const std::string call = verb.get_parent() == nullptr ? "brewster" : "brewster " + verb.get_name();
+    return "brewster: " + text + "\nSee '" + call + " --help'.\n";
+}
+
+/// A first word that is neither a verb nor a file is most likely a mistyped verb.
+void refuse_unknown_verb(const CLI::App& program, int argc, const char* const* argv) {
+    if (argc < 2) return;
+    const std::string word = argv[1];
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : program.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+    const bool is_verb = std::find(verbs.begin(), verbs.end(), word) != verbs.end();
+    if (word.empty() || is_verb || word.find_first_of("-./") != std::string::npos || std::filesystem::exists(word)) {
+        return;
+    }
+    throw CommandLineEnd{"brewster: '" + word + "' is neither a verb nor a file" + did_you_mean(word, verbs) +
+                         "\nSee 'brewster --help'.\n"};
+}
+
+/// Options of the viewer in front of a verb would be forgotten without a word.
+void refuse_words_before_the_verb(const CLI::App& program) {
+    for (const CLI::Option* option : program.get_options()) {
+        if (option->count() > 0) {
+            throw CommandLineEnd{"brewster: " + option->get_name() +
+                                 " stands before the verb, where it does nothing\n"};
+        }
+    }
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+    OpenOptions open;
+    SolveOptions solve;
+    ShotOptions shot;
+    InfoOptions info;
+    CompareOptions compare;
+
+    CLI::App program("Polarized global illumination: photons fill bins on every surface, any camera looks at them.",
+                     "brewster");
+    program.set_version_flag("--version", "brewster " BREWSTER_VERSION);
+    program.footer(
+        "Examples:\n"
+        "  brewster assets/scenes/cornell-box.gltf\n"
+        "  brewster solve assets/scenes/cornell-box.gltf --photons 2e7 --json\n"
+        "  brewster shot assets/scenes/cornell-box.gltf --camera all --out 'pictures/{camera}.png'\n"
+        "  brewster compare picture.exr reference.exr\n"
+        "Exit codes: 0 done, 1 failed (one sentence says why), 2 the command line was wrong.");
+    program.add_option("scene", open.scene, "A .gltf or .glb file to look at (default: the Cornell box)")
+        ->type_name("SCENE");
+    program.add_flag("--headless", open.headless, "Write pictures of all cameras instead of opening a window");
+    add_trace_options(program, open.stop, open.engine, "never in the window, 1e7 for pictures");
+
+    CLI::App* solve_verb = program.add_subcommand("solve", "Trace photons and report what they found");
+    add_solve_options(*solve_verb, solve);
+    solve_verb->footer(
+        "The first stop that is reached ends the run; Ctrl+C ends it with the photons there are.\n"
+        "Example: brewster solve assets/scenes/cornell-box.gltf --target-error 0.02 --threads 2");
+
+    CLI::App* shot_verb = program.add_subcommand("shot", "Trace photons, then write pictures");
+    add_shot_options(*shot_verb, shot);
+    shot_verb->footer(
+        "PNG is what a screen shows; EXR holds linear radiance with its variance, whatever map and exposure are.\n"
+        "Example: brewster shot assets/scenes/cornell-box.gltf --camera front --size 512x512 --out front.exr");
+
+    CLI::App* info_verb = program.add_subcommand("info", "Say what a scene holds and what is not simulated");
+    add_scene(*info_verb, info.scene);
+    add_json(*info_verb, info.json);
+    info_verb->footer("Example: brewster info assets/scenes/cornell-box.gltf");
+
+    CLI::App* compare_verb = program.add_subcommand("compare", "Say how far a picture is from a reference");
+    compare_verb->add_option("picture", compare.picture, "An EXR picture")->required()->type_name("A.exr");
+    compare_verb->add_option("reference", compare.reference, "What it is measured against, of the same size")
+        ->required()
+        ->type_name("B.exr");
+    add_json(*compare_verb, compare.json);
+    compare_verb->footer("Example: brewster compare front.exr reference.exr --json");
+
+    refuse_unknown_verb(program, argc, argv);
+    const auto chosen = [&]() -> const CLI::App& {
+        const std::vector<CLI::App*> verbs = program.get_subcommands();
+        return verbs.empty() ? program : *verbs.front();
+    };
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        throw CommandLineEnd{chosen().help(), 0};
+    } catch (const CLI::CallForVersion& version) {
+        throw CommandLineEnd{std::string(version.what()) + "\n", 0};
+    } catch (const CLI::ParseError& failure) {
+        throw CommandLineEnd{complaint(chosen(), failure), 2};
+    }
+
+    if (!program.get_subcommands().empty()) refuse_words_before_the_verb(program);
+
+    if (solve_verb->parsed()) return solve;
+    if (shot_verb->parsed()) return shot;
+    if (info_verb->parsed()) return info;
+    if (compare_verb->parsed()) return compare;
+    return open;
+}
+
+}  // namespace brewster

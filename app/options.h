@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/numbers.h"
+#include "display/maps.h"
+#include "engine/engine.h"
+
+namespace brewster {
+
+inline constexpr std::uint64_t default_photons = 10'000'000;
+
+struct SolveOptions {
+    std::string scene;  ///< path of a .gltf or .glb file; empty: the scene in the binary
+    StopRule stop;
+    EngineSettings engine;
+    bool json = false;
+};
+
+struct ShotOptions {
+    SolveOptions solve;
+    std::vector<std::string> cameras;  ///< empty: all
+    std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
+    std::vector<Map> maps = {Map::radiance};
+    std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
+    int samples = 64;                ///< jittered draws a picture is the mean of
+    bool legend = true;              ///< in PNG pictures
+    std::string out = "pictures/{camera}.png";
+};
+
+inline constexpr int default_picture_height = 480;
+
+struct InfoOptions {
+    std::string scene;
+    bool json = false;
+};
+
+struct CompareOptions {
+    std::string picture, reference;  ///< paths of EXR files
+    bool json = false;
+};
+
+/// The program without a verb.
+struct OpenOptions {
+    std::string scene;  ///< empty: the scene in the binary
+    StopRule stop;      ///< empty: a window goes on for ever, pictures take default_photons
+    EngineSettings engine;
+    bool headless = false;  ///< draw pictures even where a window could be opened
+};
+
+using Command = std::variant<OpenOptions, SolveOptions, ShotOptions, InfoOptions, CompareOptions>;
+
+}  // namespace brewster

@@ -1,0 +1,104 @@
+#include "app/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/suggestion.h"
+#include "base/error.h"
+#include "display/legend.h"
+#include "display/osmesa_context.h"
+#include "display/picture.h"
+#include "display/screen.h"
+#include "display/text.h"
+#include "image/exr.h"
+#include "image/png.h"
+
+namespace brewster {
+namespace {
+
+std::vector<std::string> camera_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Camera& camera : scene.cameras) names.push_back(camera.name);
+    return names;
+}
+
+/// The wished cameras in their order, each once; "all" stands for every camera of the scene.
+std::vector<std::string> chosen_cameras(const Scene& scene, const std::vector<std::string>& wished) {
+    const std::vector<std::string> known = camera_names(scene);
+    if (wished.empty()) return known;
+    std::vector<std::string> chosen;
+    const auto choose = [&](const std::string& name) {
+        if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+    };
+    for (const std::string& name : wished) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) {
+            choose(name);
+        } else if (name == "all") {
+            std::for_each(known.begin(), known.end(), choose);
+        } else {
+            std::string list;
+            for (const std::string& other : known) list += (list.empty() ? "" : ", ") + other;
+            throw Error("there is no camera '" + name + "'" + did_you_mean(name, known), scene.name,
+                        "its cameras are " + list);
+        }
+    }
+    return chosen;
+}
+
+PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished) {
+    if (wished) return *wished;
+    const float width = static_cast<float>(default_picture_height) * camera.aspect_ratio;
+    return {std::clamp(static_cast<int>(std::lround(width)), 1, largest_picture_side), default_picture_height};
+}
+
+void draw(Picture& picture, const Camera& camera, const std::optional<PictureSize>& wished, int draws) {
+    const PictureSize size = size_for(camera, wished);
+    picture.look(camera, size.width, size.height);
+    picture.draw(draws);
+}
+
+}  // namespace
+
+std::vector<PictureName> plan_pictures(const Scene& scene, const ShotOptions& options) {
+    std::vector<PictureName> pictures =
+        name_pictures(options.out, chosen_cameras(scene, options.cameras), options.maps);
+    prepare_folders(pictures);
+    return pictures;
+}
+
+float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
+                     const std::vector<PictureName>& pictures) {
+    const OsmesaContext context;
+    const std::uint64_t photons = bins->photons;
+    Picture picture(scene);
+    picture.show(std::move(bins));
+    picture.upload();
+
+    const float exposure =
+        options.exposure ? static_cast<float>(*options.exposure) : picture.exposure_of(scene.cameras.front());
+
+    Text text;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const PictureName& name = pictures[i];
+        const Camera& camera = scene.camera(name.camera);
+        const bool other_view = i == 0 || name.camera != pictures[i - 1].camera;
+        if (other_view) draw(picture, camera, options.size, options.samples);
+        if (is_exr(name.path)) {
+            Image stokes = picture.stokes();
+            stokes.attributes.emplace_back("brewster.scene", scene.name);
+            stokes.attributes.emplace_back("brewster.camera", camera.name);
+            stokes.attributes.emplace_back("brewster.photons", std::to_string(photons));
+            stokes.attributes.emplace_back("brewster.seed", std::to_string(options.solve.engine.seed));
+            write_stokes_exr(name.path, stokes);
+        } else {
+            const PictureSize size = size_for(camera, options.size);
+            const Screen screen = Screen::off_screen(size.width, size.height);
+            picture.present(screen, exposure);
+            if (options.legend) draw_legend(text, screen, {name.map, scene.name, camera.name, photons, exposure});
+            write_png(name.path, screen.read());
+        }
+    }
+    return exposure;
+}
+
+}  // namespace brewster

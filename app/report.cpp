@@ -1,0 +1,156 @@
+#include "app/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/scene_summary.h"
+
+namespace brewster {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Names come from files and may hold bytes that are no UTF-8; those are replaced.
+std::string text_of(const Json& report) {
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json list_of(glm::vec3 value) {
+    return {value.x, value.y, value.z};
+}
+Json list_of(glm::dvec3 value) {
+    return {value.x, value.y, value.z};
+}
+
+Json account(const Ledger::Account& quanta) {
+    Json bands = Json::array();
+    for (const Wide band : quanta) bands.push_back(decimal(band));
+    return bands;
+}
+
+Json solve_object(const SolveResult& result) {
+    const Progress& progress = result.progress;
+    const Ledger& ledger = result.ledger;
+    return {
+        {"scene", result.scene},
+        {"seed", result.settings.seed},
+        {"photons", progress.photons},
+        {"seconds", progress.seconds},
+        {"photons_per_second", progress.photons_per_second()},
+        {"photons_by_thread", progress.photons_by_thread},
+        {"bounces", progress.bounces},
+        {"rays", progress.rays},
+        {"bins2", progress.leaves},
+        {"published_leaves", progress.published_leaves},
+        {"bytes", progress.bytes},
+        {"digest", result.digest},
+        {"ledger",
+         {{"emitted", account(ledger.emitted)},
+          {"absorbed", account(ledger.absorbed)},
+          {"escaped", account(ledger.escaped)},
+          {"cut", account(ledger.cut)},
+          {"roulette", account(ledger.roulette)},
+          {"balances", ledger.balances()}}},
+        {"relative_error", progress.relative_error},
+        {"first_snapshot_ms", progress.first_snapshot_ms},
+        {"emission", {{"traced", progress.photons}, {"useful", progress.useful_photons}}},
+        {"trouble", progress.trouble},
+    };
+}
+
+Json lamp_object(const Lamp& lamp) {
+    return {{"name", lamp.name}, {"kind", lamp_kind_name(lamp.kind)}, {"power", list_of(lamp.power)}};
+}
+
+Json camera_object(const Scene& scene, const Camera& camera) {
+    return {{"name", camera.name},
+            {"position", list_of(glm::dvec3(camera.position) + scene.centre)},
+            {"forward", list_of(camera.forward)},
+            {"up", list_of(camera.up)},
+            {"vertical_field_of_view_degrees", degrees(static_cast<double>(camera.vertical_field_of_view))}};
+}
+
+Json chart_object(const Scene& scene, const Chart& chart) {
+    return {{"mesh", chart.mesh},
+            {"material", scene.materials[chart.material].name},
+            {"area", chart.area},
+            {"size", {chart.size_u, chart.size_v}},
+            {"triangles", chart.triangle_count}};
+}
+
+Json band_object(const BandDifference& band) {
+    Json object = {{"mean", band.mean_a}, {"reference_mean", band.mean_b},
+                   {"rmse", band.rmse},   {"relative_rmse", band.relative_rmse},
+                   {"bias", band.bias},   {"bias_standard_error", nullptr}};
+    if (band.bias_standard_error) object["bias_standard_error"] = *band.bias_standard_error;
+    return object;
+}
+
+}  // namespace
+
+SolveResult result_of(const Engine& engine) {
+    return {engine.scene().name, engine.settings(), engine.progress(), engine.ledger(), engine.digest()};
+}
+
+std::string decimal(Wide number) {
+    const bool negative = number < 0;
+    std::string digits;
+    do {
+        const int digit = static_cast<int>(number % 10);
+        digits += static_cast<char>('0' + (digit < 0 ? -digit : digit));
+        number /= 10;
+    } while (number != 0);
+    if (negative) digits += '-';
+    std::reverse(digits.begin(), digits.end());
+    return digits;
+}
+
+std::string solve_report(const SolveResult& result) {
+    return text_of(solve_object(result));
+}
+
+std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures) {
+    Json files = Json::array();
+    for (const PictureName& picture : pictures) {
+        files.push_back({{"camera", picture.camera}, {"map", description(picture.map).name}, {"path", picture.path}});
+    }
+    return text_of({{"pictures", files}, {"exposure", exposure}, {"solve", solve_object(result)}});
+}
+
+std::string info_report(const Scene& scene) {
+    Json materials = Json::array(), lamps = Json::array(), cameras = Json::array(), charts = Json::array();
+    for (const Material& material : scene.materials) {
+        materials.push_back({{"name", material.name},
+                             {"albedo", list_of(material.albedo)},
+                             {"emission", list_of(material.emission)},
+                             {"double_sided", material.double_sided}});
+    }
+    for (const Lamp& lamp : scene.lamps) lamps.push_back(lamp_object(lamp));
+    for (const Camera& camera : scene.cameras) cameras.push_back(camera_object(scene, camera));
+    for (const Chart& chart : scene.charts) charts.push_back(chart_object(scene, chart));
+    return text_of({{"scene", scene.name},
+                    {"low", list_of(scene.centre + glm::dvec3(scene.low))},
+                    {"high", list_of(scene.centre + glm::dvec3(scene.high))},
+                    {"triangles", scene.triangles.size()},
+                    {"materials", materials},
+                    {"lamps", lamps},
+                    {"cameras", cameras},
+                    {"charts", charts},
+                    {"warnings", scene.warnings}});
+}
+
+std::string compare_report(const PictureDifference& difference) {
+    Json components = Json::object();
+    for (int component = 0; component < 4; ++component) {
+        const auto& bands = difference.components[static_cast<std::size_t>(component)];
+        if (!bands) continue;
+        Json object = Json::object();
+        for (std::size_t band = 0; band < bands->size(); ++band) {
+            object[std::string(1, band_letters[band])] = band_object((*bands)[band]);
+        }
+        components["S" + std::to_string(component)] = object;
+    }
+    return text_of({{"pixels", difference.pixels}, {"components", components}});
+}
+
+}  // namespace brewster

@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/picture_names.h"
+#include "base/fixed_point.h"
+#include "engine/engine.h"
+#include "image/compare.h"
+#include "scene/scene.h"
+#include "transport/ledger.h"
+
+namespace brewster {
+
+/// What a finished run of the engine says of itself.
+struct SolveResult {
+    std::string scene;
+    EngineSettings settings;
+    Progress progress;
+    Ledger ledger;
+    std::string digest;
+};
+
+SolveResult result_of(const Engine& engine);
+
+/// 128-bit numbers in decimal digits: JSON numbers would lose them.
+std::string decimal(Wide number);
+
+/// One JSON object each, with a line break at its end. Units: seconds, bytes, lumens, metres; the ledger counts quanta,
+/// per band, as decimal text.
+std::string solve_report(const SolveResult& result);
+std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures);
+std::string info_report(const Scene& scene);
+std::string compare_report(const PictureDifference& difference);
+
+}  // namespace brewster

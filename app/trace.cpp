@@ -1,0 +1,48 @@
+#include "app/trace.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "app/interrupt.h"
+#include "app/progress_line.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "embedded_app.h"
+
+namespace brewster {
+
+std::shared_ptr<const Scene> load_scene(const std::string& path) {
+    auto scene = std::make_shared<const Scene>(path.empty() ? read_scene_text(embedded::default_scene(), "cornell-box")
+                                                            : read_scene(path));
+    for (const std::string& warning : scene->warnings) log_warning(warning);
+    return scene;
+}
+
+void trace(Engine& engine, const StopRule& wished) {
+    StopRule rule = wished;
+    if (!rule.photons && !rule.seconds && !rule.target_error) rule.photons = default_photons;
+    constexpr double seconds_between_looks = 0.1;
+    constexpr const char* clear_line = "\r\x1b[K";
+    const bool on_terminal = isatty(STDERR_FILENO) == 1;
+
+    const InterruptScope ctrl_c;
+    engine.start(rule);
+    while (!engine.wait_for(seconds_between_looks)) {
+        if (on_terminal) std::fprintf(stderr, "%s%s", clear_line, progress_line(engine.progress(), rule).c_str());
+        if (ctrl_c.interrupted()) {
+            engine.stop();
+            break;
+        }
+    }
+    if (on_terminal) std::fputs(clear_line, stderr);
+    engine.wait();
+
+    const std::uint64_t photons = engine.progress().photons;
+    if (photons == 0) {
+        throw Error("no photon was traced", engine.scene().name, "give it more time with --photons or --seconds");
+    }
+    if (ctrl_c.interrupted()) log_warning("stopped by a signal; going on with " + std::to_string(photons) + " photons");
+}
+
+}  // namespace brewster

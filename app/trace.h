@@ -1,0 +1,18 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "app/options.h"
+#include "engine/engine.h"
+#include "scene/scene.h"
+
+namespace brewster {
+
+/// Reads the scene (an empty path: the one in the binary) and passes its warnings on, as warnings of the program.
+std::shared_ptr<const Scene> load_scene(const std::string& path);
+
+/// Traces until the rule holds (an empty one: default_photons) or someone presses Ctrl+C, with a progress bar where
+/// standard error is a terminal. Throws Error when not a single photon was traced.
+void trace(Engine& engine, const StopRule& rule);
+
+}  // namespace brewster

@@ -1,0 +1,18 @@
+#pragma once
+#include <memory>
+
+#include "app/options.h"
+#include "scene/scene.h"
+
+namespace brewster {
+
+/// The verbs of the command line, each in the file of its name. Results go to standard output, messages to standard
+/// error; what fails throws Error.
+void solve(const SolveOptions& options);
+void shot(const ShotOptions& options);
+void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options);  ///< of a scene already read
+void info(const InfoOptions& options);
+void compare_pictures(const CompareOptions& options);
+void open_scene(const OpenOptions& options);  ///< without a verb: the window, or pictures where there is none
+
+}  // namespace brewster
