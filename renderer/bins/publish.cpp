@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/check.h"
 #include "bins/joined_corners.h"
@@ -14,8 +13,8 @@ namespace brewster {
 namespace {
 
 using Layout = RecordLayout<2>;
-const double C1 = atof(getenv("C1"));
 
+constexpr std::size_t looked_below = 4;  // levels of the tally tree under a published leaf that its error bar asks
 
 /// Sums of one light in one cell over all that landed in it since its birth, its children's included.
 struct LightSums {
@@ -110,6 +109,7 @@ class Publisher {
     void collect_leaves(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
+    double error_inflation(std::uint32_t chart) const;
     double relative_error() const;
 
     const BinTree<2>& tree_;
@@ -121,9 +121,12 @@ class Publisher {
     std::vector<Spread> spreads_;         // per node
     std::vector<LightSums> sums_;         // per node
     std::vector<bool> keep_;              // per node: its split is published
-    std::vector<double> unresolved_;      // per node: what the split that was not published would explain, in its noise
+    // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x area.
+    std::vector<std::array<double, looked_below>> unresolved_;
+    std::vector<std::array<double, band_count>> importance_;  // per chart
     std::vector<double> chart_ratio_;     // per chart: pooled spread over sum w^2
     std::vector<PublishedLeaf> leaves_;   // of the chart and light at hand
+    std::vector<std::uint32_t> leaf_nodes_;  // beside them
     struct Place {
         std::uint32_t chart, u, v;
         double area;
@@ -165,16 +168,16 @@ void Publisher::gather_sums(int light) {
 
 void Publisher::choose_leaves() {
     keep_.assign(tree_.node_count(), settings_.fixed_grid_log2 >= 0);
-    unresolved_.assign(tree_.node_count(), 0.0);
-    if (settings_.fixed_grid_log2 >= 0) return;
+    unresolved_.assign(tree_.node_count(), {});
     // Bands count by their relative error, so that a dim band is not drowned by a bright one.
-    std::vector<std::array<double, band_count>> importance(tree_.chart_count());
+    importance_.resize(tree_.chart_count());
     for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
         for (std::size_t b = 0; b < band_count; ++b) {
             const double mean = sums_[chart].weight[b] / age(chart);
-            importance[chart][b] = mean > 0 ? 1 / (mean * mean) : 0;
+            importance_[chart][b] = mean > 0 ? 1 / (mean * mean) : 0;
         }
     }
+    if (settings_.fixed_grid_log2 >= 0) return;
     std::vector<double> gain(tree_.node_count(), 0.0);
     for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
         if (tree_.node(node).is_leaf()) continue;
@@ -190,7 +193,7 @@ void Publisher::choose_leaves() {
         double detail = 0, noise = 0;
         for (std::size_t b = 0; b < band_count; ++b) {
             // Per photon since the split, so that all noise weighs alike and young splits count by what they have seen.
-            const double band = importance[tree_.cell(node).chart][b] / time;
+            const double band = importance_[tree_.cell(node).chart][b] / time;
             double energy = -parent.energy(later.weight[b], later.moments[b]);
             double variance = -later.squares[b] / tree_.cell(node).geometry.area;
             for (const std::uint32_t side : {0u, 1u}) {
@@ -201,7 +204,12 @@ void Publisher::choose_leaves() {
             detail += band * energy;
             noise += band * 3 * variance;
         }
-        unresolved_[node] = std::max(0.0, detail / noise - 1);
+        if (2 * time >= static_cast<double>(photons_)) {
+            std::array<double, looked_below>& below = unresolved_[node];
+            below.fill((detail - noise) / time);
+            for (std::size_t level = 1; level < looked_below; ++level)
+                below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
+        }
         const double net = detail + gain[low] + gain[high] - 2 * settings_.prune_lambda * noise;
         if (net > 0) {
             gain[node] = net;
@@ -258,7 +266,6 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
     PublishedLeaf leaf;
     leaf.box = cell.box;
     leaf.geometry = &cell.geometry;
-    leaf.unresolved = unresolved_[node];
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
         leaf.density[band] = flux_per_weight_ * weight[band] / cell.geometry.area;
@@ -287,6 +294,7 @@ void Publisher::collect_leaves(std::uint32_t node, std::uint32_t slot, const glm
         const auto index = first_leaf_ + static_cast<std::uint32_t>(leaves_.size());
         snapshot_.nodes[slot] = {0u, BREWSTER_NODE_LEAF | index};
         leaves_.push_back(fit_leaf(node, weight));
+        leaf_nodes_.push_back(node);
         return;
     }
     const std::uint32_t low = tree_node.low_child();
@@ -317,6 +325,7 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
 
 void Publisher::publish_chart(std::uint32_t chart, int light) {
     leaves_.clear();
+    leaf_nodes_.clear();
     first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
     const auto root = static_cast<std::uint32_t>(snapshot_.nodes.size());
     snapshot_.nodes.emplace_back();
@@ -327,6 +336,7 @@ void Publisher::publish_chart(std::uint32_t chart, int light) {
     } else {
         keep_own_corners(leaves_);
     }
+    const double inflation = error_inflation(chart);
     for (const PublishedLeaf& leaf : leaves_) {
         if (light == 1) {
             const auto middle = [&](std::size_t a) { return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2; };
@@ -334,13 +344,31 @@ void Publisher::publish_chart(std::uint32_t chart, int light) {
         }
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const double error =
-                corner < 3 ? std::sqrt(leaf.freedom + C1 * leaf.unresolved) * leaf.standard_error[static_cast<int>(corner)] : 0.0;
+                corner < 3 ? std::sqrt(leaf.freedom * inflation) * leaf.standard_error[static_cast<int>(corner)] : 0.0;
             snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[corner]), static_cast<float>(error));
         }
     }
     ChartBins& bins = snapshot_.charts[chart];
     (light == 0 ? bins.direct_root : bins.indirect_root) = root;
     (light == 0 ? bins.direct_leaves : bins.indirect_leaves) = static_cast<std::uint32_t>(leaves_.size());
+}
+
+/// Squared error of a chart's leaves over their noise. Pruning stops where structure drowns in noise, so about as much
+/// structure as noise is left under the leaves, another part with every seed. The tally tree knows how much: the details
+/// of the splits that were not published, less their noise, averaged over the chart.
+double Publisher::error_inflation(std::uint32_t chart) const {
+    double structure = 0, noise = 0;
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
+        const std::uint32_t node = leaf_nodes_[i];
+        const double time = age(node);
+        if (time <= 0) continue;
+        structure += unresolved_[node][looked_below - 1];
+        for (std::size_t b = 0; b < band_count; ++b) {
+            noise += importance_[chart][b] * leaves_[i].freedom * sums_[node].squares[b] /
+                     (tree_.cell(node).geometry.area * time * time);
+        }
+    }
+    return noise > 0 ? 1 + std::max(0.0, structure / noise) : 1;
 }
 
 /// Area-weighted rms of standard error over value, of the band mean of direct and indirect light together; values below
