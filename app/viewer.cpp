@@ -16,7 +16,8 @@ namespace {
 constexpr double rest_after = 0.15;         ///< seconds without motion
 constexpr double idle_wait = 0.1;           ///< seconds until the next look for new bins
 constexpr double progress_interval = 0.25;  ///< seconds
-/// New bins begin a new mean; until it has so many draws the old picture stays, so that edges do not flicker.
+/// New bins begin a new mean. Until it has so many draws the old picture stays, so that edges do not flicker, and no
+/// newer bins are taken, so that it gets there however slow the drawing is.
 constexpr int draws_before_change = 8;
 /// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as
 /// long is left to them before the next.
@@ -104,8 +105,10 @@ class Viewer {
     }
 
     void take_bins() {
-        if (std::shared_ptr<const Snapshot> bins = light_.snapshot()) picture_.show(std::move(bins));
         const bool first = !picture_.bins();
+        if (first || moving() || picture_.draws() >= draws_before_change) {
+            if (std::shared_ptr<const Snapshot> bins = light_.snapshot()) picture_.show(std::move(bins));
+        }
         if (picture_.uploaded() || !picture_.upload(Picture::frame_bytes)) return;
         draws_to_present_ = first || moving() ? 1 : draws_before_change;
         if (exposure_settled_) return;
