@@ -8,8 +8,10 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "scene/exact_hit.h"
 #include "scene/planes.h"
 #include "scene/seams.h"
+#include "scene/surfaces.h"
 
 namespace brewster {
 namespace {
@@ -18,6 +20,8 @@ namespace {
 struct RawHit {
     unsigned primitive = RTC_INVALID_GEOMETRY_ID;
     float distance = 0, b1 = 0, b2 = 0;
+
+    bool met() const { return primitive != RTC_INVALID_GEOMETRY_ID; }
 };
 
 // A context whose filter rejects hits on the plane of one surface.
@@ -86,6 +90,23 @@ std::vector<std::uint32_t> planes_of_surfaces(const Scene& scene) {
     return planes;
 }
 
+// What a second try needs to know of the surface a ray leaves.
+struct Stand {
+    glm::vec3 normal{0.0f}, middle{0.0f};
+    float size = 0, inset = 0;
+};
+
+std::vector<Stand> stands_of_surfaces(const Scene& scene) {
+    std::vector<Stand> stands;
+    for (const Chart& chart : scene.charts) {
+        if (chart.surface != stands.size()) continue;
+        const glm::vec3 diagonal = chart.size_u * chart.axis_u + chart.size_v * chart.axis_v;
+        stands.push_back(
+            {chart.normal, chart.origin + 0.5f * diagonal, chart.size(), static_cast<float>(hit_inset(chart))});
+    }
+    return stands;
+}
+
 struct ReleaseDevice {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
 };
@@ -98,7 +119,8 @@ using Tree = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 }  // namespace
 
 struct Rays::Impl {
-    explicit Impl(const Scene& whole) : scene(whole), seams(open_seams(whole)), planes(planes_of_surfaces(whole)) {
+    explicit Impl(const Scene& whole)
+        : scene(whole), seams(open_seams(whole)), planes(planes_of_surfaces(whole)), stands(stands_of_surfaces(whole)) {
         // Another instruction set gives other bits; robust: shared edges are watertight.
         device.reset(rtcNewDevice("isa=avx2,threads=1,verbose=0"));
         if (!device) throw Error("Embree does not start", "rays", "use a CPU with AVX2");
@@ -186,16 +208,52 @@ struct Rays::Impl {
             hits[i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};
     }
 
-    // From the first answer to the hit: past the surface left, against the seams, onto the triangle.
+    // From the first answer to the hit: past the plane left, and where that meets nothing or a back, by closer looks.
     Hit finished(const Ray& ray, RawHit raw) const {
-        if (raw.primitive != RTC_INVALID_GEOMETRY_ID && ray.leaving != no_surface &&
-            planes[scene.triangles[raw.primitive].surface] == planes[ray.leaving])
+        if (raw.met() && ray.leaving != no_surface && in_plane_left(raw.primitive, ray))
             raw = trace_leaving(surfaces.get(), nullptr, ray);
-        if (raw.primitive != RTC_INVALID_GEOMETRY_ID) return hit_on(ray, raw.primitive, raw);
-        if (!edges) return {};
-        raw = trace_leaving(edges.get(), &seams, ray);
-        if (raw.primitive == RTC_INVALID_GEOMETRY_ID) return {};
-        return hit_on(ray, seams[raw.primitive / 2].triangle, onto_triangle(raw));
+        const Hit hit = raw.met() ? hit_on(ray, raw.primitive, raw) : Hit{};
+        if (hit.chart != no_chart) return hit;
+        if (ray.leaving != no_surface) {
+            const Hit closer = closer_look(ray, raw);
+            if (closer.chart != no_chart) return closer;
+        }
+        if (!edges || !hit.escaped()) return hit;
+        const Ray clear = ray.leaving != no_surface ? raised(ray, stands[ray.leaving].inset) : ray;
+        raw = trace_leaving(edges.get(), &seams, clear);
+        return raw.met() ? hit_on(ray, seams[raw.primitive / 2].triangle, onto_triangle(raw)) : hit;
+    }
+
+    bool in_plane_left(std::uint32_t triangle, const Ray& ray) const {
+        return planes[scene.triangles[triangle].surface] == planes[ray.leaving];
+    }
+
+    // Single precision cannot decide for a ray that starts within rounding of its plane close to a wall's foot, or runs
+    // along an edge. A ray beside it, clear of all edges, shows which triangle it ought to meet; double precision then
+    // says whether it does.
+    Hit closer_look(const Ray& ray, const RawHit& first) const {
+        constexpr float aside = 1e-3f, above = 1e-4f, grazing = 0.01f;
+        const Stand& stand = stands[ray.leaving];
+        Ray beside = raised(ray, above * stand.size);
+        beside.origin += aside * (stand.middle - ray.origin);
+        const RawHit candidate = trace_leaving(surfaces.get(), nullptr, beside);
+        const bool grazes = std::abs(glm::dot(stand.normal, ray.direction)) < grazing;
+        if (candidate.primitive == first.primitive && !grazes) return {};  // nothing, or the same back: so it is
+        const Ray clear = raised(ray, stand.inset);
+        auto exact =
+            candidate.met() ? exact_hit(scene, candidate.primitive, clear.origin, clear.direction) : std::nullopt;
+        if (!exact)
+            exact = nearest_exact(scene, clear.origin, clear.direction,
+                                  [&](std::uint32_t triangle) { return !in_plane_left(triangle, ray); });
+        if (!exact) return {};
+        return hit_on(ray, exact->triangle, {exact->triangle, exact->distance, exact->b1, exact->b2});
+    }
+
+    // The ray from a start that lies this far on its side of the plane.
+    Ray raised(Ray ray, float height) const {
+        const glm::vec3& normal = stands[ray.leaving].normal;
+        ray.origin += glm::dot(normal, ray.direction) < 0.0f ? -height * normal : height * normal;
+        return ray;
     }
 
     // Barycentric coordinates on the seam's triangle of a point beside its edge; `point_inside` pulls them in.
@@ -232,6 +290,7 @@ struct Rays::Impl {
     const Scene& scene;
     const std::vector<Seam> seams;
     const std::vector<std::uint32_t> planes;  // by surface
+    const std::vector<Stand> stands;          // by surface
     Device device;                            // outlives the trees
     Tree surfaces, edges;
 };
