@@ -15,7 +15,7 @@ std::optional<TriangleHit> exact_hit(const Scene& scene, std::uint32_t index, gl
     if (determinant == 0) return {};
     const double b1 = glm::dot(s, p) / determinant, b2 = glm::dot(d, q) / determinant;
     const double distance = glm::dot(e2, q) / determinant;
-    const glm::dvec3 margin(triangle.margin);
+    const glm::dvec3 margin = 4.0 * glm::dvec3(triangle.margin);
     if (distance < 0 || 1 - b1 - b2 < -margin.x || b1 < -margin.y || b2 < -margin.z) return {};
     return TriangleHit{index, static_cast<float>(distance), static_cast<float>(b1), static_cast<float>(b2)};
 }

@@ -2,33 +2,24 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "scene/scene.h"
+#include "scene/triangle_hit.h"
 
 namespace brewster {
 
-/// A hit by index and barycentric coordinates (as in Scene::point_inside).
-struct TriangleHit {
-    std::uint32_t triangle = no_chart;
-    float distance = 0, b1 = 0, b2 = 0;
-};
-
-/// The nearest triangle that `accept(index)` allows, searched one by one in double precision; a triangle reaches as far
-/// beyond its edges as hits are pulled inside. For the one ray in a million that single precision cannot decide.
-template <class Accept>
-std::optional<TriangleHit> nearest_exact(const Scene& scene, glm::vec3 origin, glm::vec3 direction,
-                                         const Accept& accept);
-
-/// Where a line meets one triangle, if it does, in front of its origin.
+/// Where a line meets a triangle in front of its origin, in double precision. The triangle reaches
+/// four times as far beyond its edges as hits are pulled inside (its margin): a start that was moved by that much still
+/// meets what the start itself was aimed at.
 std::optional<TriangleHit> exact_hit(const Scene& scene, std::uint32_t triangle, glm::vec3 origin, glm::vec3 direction);
 
+/// The nearest such triangle of all that `accept(index)` allows, one by one: for the one ray in a million that single
+/// precision cannot decide.
 template <class Accept>
-std::optional<TriangleHit> nearest_exact(const Scene& scene, glm::vec3 origin, glm::vec3 direction,
-                                         const Accept& accept) {
-    std::optional<TriangleHit> nearest;
+TriangleHit nearest_exact(const Scene& scene, glm::vec3 origin, glm::vec3 direction, const Accept& accept) {
+    TriangleHit nearest;
     for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
         if (!accept(t)) continue;
         const auto hit = exact_hit(scene, t, origin, direction);
-        if (hit && (!nearest || hit->distance < nearest->distance)) nearest = hit;
+        if (hit && (!nearest.met() || hit->distance < nearest.distance)) nearest = *hit;
     }
     return nearest;
 }
