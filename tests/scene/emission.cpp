@@ -31,7 +31,7 @@ Scene lit_floor(const nlohmann::json& light) {
     GltfBuilder file;
     file.add_material("grey", {0.5, 0.5, 0.5});
     file.add_polygon("floor", {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}});
-    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = nlohmann::json::array({light});
     file.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}},
                    {"translation", {1, 0.5, 2}},
                    {"rotation", {std::sin(0.2), 0, 0, std::cos(0.2)}}});
