@@ -86,6 +86,7 @@ struct Rays::Impl {
     // precision then says whether it does, counting what lies as close beside the triangle as hits are pulled inside.
     TriangleHit closer_look(const Ray& ray, std::uint32_t plane, const TriangleHit& first) const {
         constexpr float grazing = 0.01f;
+        constexpr std::size_t few_triangles = 4096;
         Ray clear = ray, beside = ray;
         bool grazes = false;
         if (ray.leaving == no_surface) {
@@ -99,10 +100,13 @@ struct Rays::Impl {
             beside.origin += 1e-4f * stand.size * up + 1e-3f * (stand.middle - ray.origin);
         }
         const TriangleHit candidate = tree.trace_past(beside, plane);
-        if (candidate.met() && candidate.triangle != first.triangle)
+        const bool disagrees = candidate.met() && candidate.triangle != first.triangle;
+        if (disagrees)
             if (const auto exact = exact_hit(scene, candidate.triangle, clear.origin, clear.direction)) return *exact;
-        // A ray that runs within a hundredth along its plane may run along a wall's foot, too: then all are asked.
-        if (!grazes) return {};
+        // The ray beside may have met the next wall instead, or, where both run within a hundredth along the plane
+        // left, passed over the one that counts. Then all triangles are asked, unless that would take long: of rays
+        // that really leave a scene, one in some hundred disagrees, one in ten thousand grazes.
+        if (!grazes && !(disagrees && scene.triangles.size() <= few_triangles)) return {};
         return nearest_exact(scene, clear.origin, clear.direction,
                              [&](std::uint32_t triangle) { return plane_of(triangle) != plane; });
     }
