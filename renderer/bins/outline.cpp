@@ -81,7 +81,7 @@ CellGeometry full_cell(double area) {
     CellGeometry g;
     g.area = area;
     g.covariance = {1.0 / 3, 0, 1.0 / 3};
-    g.bubble = 4.0 / 9;
+    g.xxyy = 1.0 / 9;
     g.full = true;
     return g;
 }
@@ -103,7 +103,7 @@ CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<
                             (static_cast<double>(box.high[1] - box.low[1]) / BREWSTER_UV_ONE);
     double area = 0;  // in cell coordinates, where the box has 4
     Point first(0), sign(0);
-    double xx = 0, xy = 0, yy = 0, sign_product = 0, bubble = 0;
+    double xx = 0, xy = 0, yy = 0, xxy = 0, xyy = 0, xxyy = 0, sign_product = 0;
     Point low(1), high(-1);
     for (const std::uint32_t index : triangles) {
         const Polygon whole = clip(in_cell(outline.triangles[index], box), Point(-1), Point(1));
@@ -126,7 +126,9 @@ CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<
                     yy += weight * p.y * p.y;
                     sign += weight * Point(sx, sy);
                     sign_product += weight * sx * sy;
-                    bubble += weight * (1 - p.x * p.x) * (1 - p.y * p.y);
+                    xxy += weight * p.x * p.x * p.y;
+                    xyy += weight * p.x * p.y * p.y;
+                    xxyy += weight * p.x * p.x * p.y * p.y;
                 });
             }
         }
@@ -141,7 +143,9 @@ CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<
     g.legendre = {1.5 * xx / area - 0.5, 1.5 * yy / area - 0.5};
     g.sign = {sign.x / area, sign.y / area};
     g.sign_product = sign_product / area;
-    g.bubble = bubble / area;
+    g.xxy = xxy / area;
+    g.xyy = xyy / area;
+    g.xxyy = xxyy / area;
     g.middle = {0.5 * (low.x + high.x), 0.5 * (low.y + high.y)};
     return g;
 }

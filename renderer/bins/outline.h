@@ -29,7 +29,7 @@ struct CellGeometry {
     std::array<double, 2> legendre{};     ///< mean of (3 x^2 - 1) / 2 and of the same in y
     std::array<double, 2> sign{};         ///< mean of the sign of x, of y
     double sign_product = 0;              ///< mean of sign x sign y
-    double bubble = 0;                    ///< mean of (1 - x^2)(1 - y^2)
+    double xxy = 0, xyy = 0, xxyy = 0;    ///< means of x^2 y, x y^2, x^2 y^2
     std::array<double, 2> middle{};       ///< middle of what is occupied along x, y
     bool full = false;                    ///< all of the cell is surface
 };

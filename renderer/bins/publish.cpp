@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/check.h"
-#include "bins/corner_sharing.h"
+#include "bins/joined_corners.h"
 #include "bins/linear_fit.h"
 #include "bins/lookup.h"
 #include "shared/bin_layout.h"
@@ -13,6 +14,8 @@ namespace brewster {
 namespace {
 
 using Layout = RecordLayout<2>;
+const double C1 = atof(getenv("C1"));
+
 
 /// Sums of one light in one cell over all that landed in it since its birth, its children's included.
 struct LightSums {
@@ -118,6 +121,7 @@ class Publisher {
     std::vector<Spread> spreads_;         // per node
     std::vector<LightSums> sums_;         // per node
     std::vector<bool> keep_;              // per node: its split is published
+    std::vector<double> unresolved_;      // per node: what the split that was not published would explain, in its noise
     std::vector<double> chart_ratio_;     // per chart: pooled spread over sum w^2
     std::vector<PublishedLeaf> leaves_;   // of the chart and light at hand
     struct Place {
@@ -161,6 +165,7 @@ void Publisher::gather_sums(int light) {
 
 void Publisher::choose_leaves() {
     keep_.assign(tree_.node_count(), settings_.fixed_grid_log2 >= 0);
+    unresolved_.assign(tree_.node_count(), 0.0);
     if (settings_.fixed_grid_log2 >= 0) return;
     // Bands count by their relative error, so that a dim band is not drowned by a bright one.
     std::vector<std::array<double, band_count>> importance(tree_.chart_count());
@@ -196,6 +201,7 @@ void Publisher::choose_leaves() {
             detail += band * energy;
             noise += band * 3 * variance;
         }
+        unresolved_[node] = std::max(0.0, detail / noise - 1);
         const double net = detail + gain[low] + gain[high] - 2 * settings_.prune_lambda * noise;
         if (net > 0) {
             gain[node] = net;
@@ -252,6 +258,7 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
     PublishedLeaf leaf;
     leaf.box = cell.box;
     leaf.geometry = &cell.geometry;
+    leaf.unresolved = unresolved_[node];
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
         leaf.density[band] = flux_per_weight_ * weight[band] / cell.geometry.area;
@@ -315,8 +322,8 @@ void Publisher::publish_chart(std::uint32_t chart, int light) {
     snapshot_.nodes.emplace_back();
     const auto& total = sums_[chart].weight;
     collect_leaves(chart, root, glm::dvec3(total[0], total[1], total[2]) / age(chart));
-    if (settings_.share_corners) {
-        share_corners(leaves_, [&](std::uint32_t u, std::uint32_t v) { return locate(root, u, v); });
+    if (settings_.join_corners) {
+        join_corners(leaves_, [&](std::uint32_t u, std::uint32_t v) { return locate(root, u, v); });
     } else {
         keep_own_corners(leaves_);
     }
@@ -326,10 +333,10 @@ void Publisher::publish_chart(std::uint32_t chart, int light) {
             places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
         }
         for (std::size_t corner = 0; corner < 4; ++corner) {
-            const double error = corner < 3 ? leaf.standard_error[static_cast<int>(corner)] : 0.0;
+            const double error =
+                corner < 3 ? std::sqrt(leaf.freedom + C1 * leaf.unresolved) * leaf.standard_error[static_cast<int>(corner)] : 0.0;
             snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[corner]), static_cast<float>(error));
         }
-        snapshot_.leaves.emplace_back(glm::vec3(leaf.bubble), 0.0f);
     }
     ChartBins& bins = snapshot_.charts[chart];
     (light == 0 ? bins.direct_root : bins.indirect_root) = root;

@@ -41,7 +41,7 @@ NullMoments<D> null_moments(const CellGeometry& geometry) {
     return null;
 }
 
-// Half the nodes are leaves; a snapshot holds at most two nodes and two leaves of five texels for each of them.
+// Half the nodes are leaves; a snapshot holds at most two nodes and two leaves of four texels for each of them.
 template <int D>
 constexpr std::size_t bytes_per_node = sizeof(TreeNode) + sizeof(Cell<D>) + sizeof(CellSums<D>) + sizeof(LeafFrame<D>) / 2 +
                                        2 * (2 * sizeof(TreeNode) + BREWSTER_LEAF_TEXELS * 4 * sizeof(float));

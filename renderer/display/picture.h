@@ -39,13 +39,14 @@ class Picture {
     /// From where and how large; another camera or size forgets the draws so far.
     void look(const Camera& camera, int width, int height);
 
-    /// Adds draws to the mean. The first looks through the pixels' centres, the next follow the R2 sequence.
+    /// Adds draws to the mean. The first looks through the pixels' centres, but 1/128 to the upper left, the next all
+    /// over the pixels; 64, or a multiple, see edges best.
     void draw(int count = 1);
     int draws() const { return draws_; }
     void finish() const;  ///< returns when all is drawn, for measuring
 
     /// The mean of the draws: S0 .. S3 and V0 .. V3. V is the variance of the bins, which the draws share, plus that of
-    /// the draws' mean, taken as if they were independent (the R2 sequence does a little better).
+    /// the draws' mean as if they were independent: at edges their even spread does several times better.
     Image stokes() const;
 
     /// auto_exposure of what this camera sees, from a small picture of its own size: the same for every use of the

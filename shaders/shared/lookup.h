@@ -42,14 +42,12 @@ BREWSTER_FUNCTION BinValue look_up(BREWSTER_BINS_PARAMETER uint root, uint u, ui
     vec4 high_low = fetch_leaf_texel(BREWSTER_BINS first + 1u);
     vec4 low_high = fetch_leaf_texel(BREWSTER_BINS first + 2u);
     vec4 high_high = fetch_leaf_texel(BREWSTER_BINS first + 3u);
-    vec4 bubble = fetch_leaf_texel(BREWSTER_BINS first + 4u);
     float x = float(u - low_u) / float(high_u - low_u);
     float y = float(v - low_v) / float(high_v - low_v);
     vec3 low = vec3(low_low) + x * (vec3(high_low) - vec3(low_low));
     vec3 high = vec3(low_high) + x * (vec3(high_high) - vec3(low_high));
-    vec3 value = low + y * (high - low) + (16.0f * x * (1.0f - x) * y * (1.0f - y)) * vec3(bubble);
     BinValue result;
-    result.value = max(value, vec3(0.0f));
+    result.value = max(low + y * (high - low), vec3(0.0f));
     result.standard_error = vec3(low_low.w, high_low.w, low_high.w);
     return result;
 }

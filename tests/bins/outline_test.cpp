@@ -22,7 +22,7 @@ TEST(CellGeometry, FullRectangle) {
     EXPECT_TRUE(g.full);
     EXPECT_NEAR(g.area, 6, 1e-12);
     EXPECT_NEAR(g.covariance[0], 1.0 / 3, 1e-12);
-    EXPECT_NEAR(g.bubble, 4.0 / 9, 1e-12);
+    EXPECT_NEAR(g.xxyy, 1.0 / 9, 1e-12);
 }
 
 // Right triangle with corners (-1,-1), (1,-1), (-1,1) in cell coordinates: moments by hand.
@@ -38,15 +38,17 @@ TEST(CellGeometry, RightTriangle) {
     EXPECT_NEAR(g.sign[0], -0.5, 1e-14);
     EXPECT_NEAR(g.sign_product, 0.0, 1e-14);
     EXPECT_NEAR(g.legendre[0], 1.5 * (2.0 / 9 + 1.0 / 9) - 0.5, 1e-14);
-    // (1/2) int (1-x^2)(1-y^2) over the triangle: 28/45 by hand, that is 2/9 + 2/9 + 8/45 less the symmetric part.
-    double sum = 0;
-    constexpr int n = 2000;
+    // y runs from -1 to -x: int y dy = (x^2 - 1) / 2, int y^2 dy = (1 - x^3) / 3.
+    double xxy = 0, xxyy = 0;
+    constexpr int n = 20000;
     for (int i = 0; i < n; ++i) {
         const double x = -1 + (i + 0.5) * 2 / n;
-        const double top = -x;  // y runs from -1 to -x
-        sum += (1 - x * x) * ((top - top * top * top / 3) - (-1 + 1.0 / 3)) * 2 / n;
+        xxy += x * x * (x * x - 1) / 2 * 2 / n;
+        xxyy += x * x * (1 - x * x * x) / 3 * 2 / n;
     }
-    EXPECT_NEAR(g.bubble, sum / 2, 1e-6);
+    EXPECT_NEAR(g.xxy, xxy / 2, 1e-7);
+    EXPECT_NEAR(g.xyy, xxy / 2, 1e-7);
+    EXPECT_NEAR(g.xxyy, xxyy / 2, 1e-7);
 }
 
 // The four quarters of any shape add up to the whole.

@@ -176,7 +176,7 @@ TEST(Publish, StepsStaySharpAndSmoothBordersJoin) {
 
 TEST(Publish, WithoutSharedCornersBordersStep) {
     BinSettings settings;
-    settings.share_corners = false;
+    settings.join_corners = false;
     const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
     Thrower thrower(shapes::rectangle(1, 1), settings, 9);
     std::uint64_t count = 4000;
