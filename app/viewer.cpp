@@ -16,8 +16,12 @@ namespace {
 constexpr double rest_after = 0.15;         ///< seconds without motion
 constexpr double idle_wait = 0.1;           ///< seconds until the next look for new bins
 constexpr double progress_interval = 0.25;  ///< seconds
-/// New bins begin a new mean; until it has so many draws the old picture stays, so that edges do not flicker.
+/// New bins begin a new mean. Until it has so many draws the old picture stays, so that edges do not flicker, and no
+/// newer bins are taken, so that it gets there however slow the drawing is.
 constexpr int draws_before_change = 8;
+/// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as
+/// long is left to them before the next.
+constexpr double slow_frame = 0.02;  ///< seconds
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
 
 double now() {
@@ -43,10 +47,12 @@ class Viewer {
 
     void run() {
         while (!quit_ && !window_.close_requested()) {
-            if (busy()) {
-                window_.poll_events();
-            } else {
+            if (!busy()) {
                 window_.wait_events(idle_wait);
+            } else if (pause_ > 0) {
+                window_.wait_events(pause_);
+            } else {
+                window_.poll_events();
             }
             for (const InputEvent& event : window_.take_events()) handle(event);
             take_bins();
@@ -99,9 +105,12 @@ class Viewer {
     }
 
     void take_bins() {
-        if (std::shared_ptr<const Snapshot> bins = light_.snapshot()) picture_.show(std::move(bins));
+        const bool first = !picture_.bins();
+        if (first || moving() || picture_.draws() >= draws_before_change) {
+            if (std::shared_ptr<const Snapshot> bins = light_.snapshot()) picture_.show(std::move(bins));
+        }
         if (picture_.uploaded() || !picture_.upload(Picture::frame_bytes)) return;
-        draws_to_present_ = moving() ? 1 : draws_before_change;
+        draws_to_present_ = first || moving() ? 1 : draws_before_change;
         if (exposure_settled_) return;
         exposure_ = picture_.exposure_of(scene_.cameras.front());
         exposure_settled_ = picture_.bins()->photons >= photons_of_settled_exposure;
@@ -124,10 +133,15 @@ class Viewer {
         const bool drawn = picture_.draws() < wanted_draws();
         if (drawn) picture_.draw();
         const bool ready = picture_.draws() >= draws_to_present_;
-        if (!must_present_ && !(ready && (drawn || progress_changed_))) return;
-        present(size);
-        must_present_ = progress_changed_ = false;
-        if (in_motion && drawn) resolution_.frame_took(now() - begin);
+        if (must_present_ || (ready && (drawn || progress_changed_))) {
+            present(size);
+            must_present_ = progress_changed_ = false;
+        } else {
+            picture_.finish();
+        }
+        const double took = now() - begin;
+        pause_ = !in_motion && drawn && took > slow_frame ? 3 * took : 0;
+        if (in_motion && drawn) resolution_.frame_took(took);
     }
 
     void present(glm::ivec2 size) {
@@ -161,6 +175,7 @@ class Viewer {
     bool progress_changed_ = false, must_present_ = true, minimised_ = false, quit_ = false;
     int draws_to_present_ = 1;
     double last_motion_ = -1e9, last_progress_ = -1e9;
+    double pause_ = 0;  ///< seconds before the next frame
 };
 
 }  // namespace
