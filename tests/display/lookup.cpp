@@ -51,7 +51,10 @@ class Lookup : public GlTest {
         const RenderTarget target(side, side, 3, false);
         const Texture points = Texture::create();
         std::vector<glm::vec4> texels;  // GL's first row is the lowest
-        for (int y = side - 1; y >= 0; --y) texels.insert(texels.end(), &points_[side * y], &points_[side * y] + side);
+        for (int y = side - 1; y >= 0; --y) {
+            const auto row = points_.begin() + side * y;
+            texels.insert(texels.end(), row, row + side);
+        }
         glActiveTexture(GL_TEXTURE5);
         glBindTexture(GL_TEXTURE_2D, points.id());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
