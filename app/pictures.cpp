@@ -24,7 +24,7 @@ std::vector<std::string> camera_names(const Scene& scene) {
 
 /// The wished cameras in their order, each once; "all" stands for every camera of the scene.
 std::vector<std::string> chosen_cameras(const Scene& scene, const std::vector<std::string>& wished) {
-    const std::vector<std::string> known = camera_names(scene);
+    std::vector<std::string> known = camera_names(scene);
     if (wished.empty()) return known;
     std::vector<std::string> chosen;
     const auto choose = [&](const std::string& name) {

@@ -7,13 +7,14 @@
 
 namespace brewster {
 
-PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed) : scene_(scene), sampler_(scene), seed_(seed) {
+PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed) : sampler_(scene), seed_(seed) {
     for (const Lamp& lamp : scene.lamps) mean_power_ += static_cast<double>(lamp.mean_power());
     double sum = 0;
     for (const Lamp& lamp : scene.lamps) {
         const double power = static_cast<double>(lamp.mean_power());
         sum += power;
-        cumulative_.push_back(mean_power_ > 0 ? static_cast<std::uint64_t>(std::llround(sum / mean_power_ * 0x1p32)) : 0);
+        cumulative_.push_back(mean_power_ > 0 ? static_cast<std::uint64_t>(std::llround(sum / mean_power_ * 0x1p32))
+                                              : 0);
         weights_.push_back(power > 0 ? lamp.power / lamp.mean_power() : glm::vec3(0));
     }
     for (std::uint32_t replica = 0; replica < replica_count; ++replica)

@@ -38,7 +38,6 @@ class PhotonEmission {
   private:
     std::uint32_t sobol_word(std::uint64_t photon, unsigned dimension) const;
 
-    const Scene& scene_;
     const LampSampler sampler_;
     std::uint64_t seed_;
     double mean_power_ = 0;

@@ -55,7 +55,7 @@ TEST(Report, LedgerThatLeaksSaysSo) {
 TEST(Report, NamesThatAreNoUtf8StayJson) {
     SolveResult result = made_up_result();
     result.scene = "caf\xe9";
-    EXPECT_NO_THROW(nlohmann::json::parse(solve_report(result)));
+    EXPECT_TRUE(nlohmann::json::accept(solve_report(result)));
 }
 
 TEST(Report, CompareLeavesOutWhatIsNotThere) {

@@ -181,7 +181,7 @@ TEST(Engine, FurnaceCellsDeviateAsTheirErrorBarsSay) {
     engine.start(photons(slow ? 200000 : 2000000));
     engine.wait();
     const auto bins = engine.snapshot();
-    double sum = 0, squares = 0, largest = 0, mean = 0;
+    double squares = 0, largest = 0, mean = 0;
     int count = 0;
     for (std::uint32_t chart = 0; chart < 6; ++chart) {
         for (std::uint32_t i = 0; i < 256; ++i) {
@@ -192,7 +192,6 @@ TEST(Engine, FurnaceCellsDeviateAsTheirErrorBarsSay) {
             const double error = std::hypot(direct.standard_error.x, indirect.standard_error.x) / std::sqrt(3.0);
             const double value = static_cast<double>(direct.value.x + indirect.value.x);
             const double z = (value - 2 * pi) / error;
-            sum += z;
             squares += z * z;
             largest = std::max(largest, std::abs(z));
             mean += value;
