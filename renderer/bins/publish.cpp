@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/check.h"
 #include "bins/joined_corners.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Layout = RecordLayout<2>;
 
-constexpr std::size_t looked_below = 4;  // levels of the tally tree under a published leaf that its error bar asks
+constexpr std::size_t looked_below = 5;  // levels of the tally tree under a published leaf that its error bar asks
 
 /// Sums of one light in one cell over all that landed in it since its birth, its children's included.
 struct LightSums {
@@ -71,6 +72,24 @@ struct Spread {
     }
 };
 
+/// Squared error of leaves over their noise. Pruning stops where structure drowns in noise, so about as much structure as
+/// noise is left under the leaves, another part with every seed. The tally tree knows how much: the details of the
+/// splits that were not published, less their noise.
+struct Excess {
+    double structure = 0, noise = 0;  ///< squared density x area, weighted by the bands' importance
+    double leaves = 0;
+
+    /// Few leaves know it badly (a leaf's own estimate has a standard deviation of 4.5), so a chart leans on its scene,
+    /// and only what stands out by half a standard deviation counts.
+    double inflation(const Excess& scene) const {
+        constexpr double deviation_of_one = 4.5, lean_on_scene = 64;
+        if (noise <= 0 || scene.noise <= 0) return 1;
+        const double lean = std::min(lean_on_scene, scene.leaves);
+        const double ratio = (leaves * structure / noise + lean * scene.structure / scene.noise) / (leaves + lean);
+        return 1 + std::max(0.0, ratio - 0.5 * deviation_of_one / std::sqrt(leaves + lean));
+    }
+};
+
 class Publisher {
   public:
     Publisher(const BinTree<2>& tree, const Tally<2>* pending, std::uint64_t photons, double flux_per_weight,
@@ -85,7 +104,8 @@ class Publisher {
             gather_sums(light);
             choose_leaves();
             pool_spreads();
-            for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) publish_chart(chart, light);
+            for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) build_chart(chart, light);
+            write_leaves(light);
         }
         snapshot_.relative_error = relative_error();
         return std::move(snapshot_);
@@ -105,11 +125,12 @@ class Publisher {
     void choose_leaves();
     void pool_spreads();
     double variance_ratio(std::uint32_t node) const;
-    void publish_chart(std::uint32_t chart, int light);
+    void build_chart(std::uint32_t chart, int light);
+    void write_leaves(int light);
     void collect_leaves(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
-    double error_inflation(std::uint32_t chart) const;
+    void add_excess(std::size_t leaf, Excess& excess) const;
     double relative_error() const;
 
     const BinTree<2>& tree_;
@@ -125,14 +146,15 @@ class Publisher {
     std::vector<std::array<double, looked_below>> unresolved_;
     std::vector<std::array<double, band_count>> importance_;  // per chart
     std::vector<double> chart_ratio_;     // per chart: pooled spread over sum w^2
-    std::vector<PublishedLeaf> leaves_;   // of the chart and light at hand
+    std::vector<PublishedLeaf> leaves_;      // of the light at hand, chart after chart
     std::vector<std::uint32_t> leaf_nodes_;  // beside them
     struct Place {
         std::uint32_t chart, u, v;
         double area;
     };
     std::vector<Place> places_;           // the middles of the leaves of the indirect light
-    std::uint32_t first_leaf_ = 0;        // the index of leaves_[0] in the snapshot
+    std::vector<std::size_t> chart_begin_;   // into leaves_, per chart and one more
+    std::uint32_t first_leaf_ = 0;           // the index of leaves_[0] in the snapshot
 };
 
 // Children stand behind their parents, so a walk from the back meets them first.
@@ -323,52 +345,63 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
     return (node.y & ~BREWSTER_NODE_LEAF) - first_leaf_;
 }
 
-void Publisher::publish_chart(std::uint32_t chart, int light) {
-    leaves_.clear();
-    leaf_nodes_.clear();
-    first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
+void Publisher::build_chart(std::uint32_t chart, int light) {
+    if (chart == 0) {
+        leaves_.clear();
+        leaf_nodes_.clear();
+        chart_begin_.assign(1, 0);
+        first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
+    }
     const auto root = static_cast<std::uint32_t>(snapshot_.nodes.size());
     snapshot_.nodes.emplace_back();
     const auto& total = sums_[chart].weight;
+    const std::size_t begin = leaves_.size();
     collect_leaves(chart, root, glm::dvec3(total[0], total[1], total[2]) / age(chart));
+    chart_begin_.push_back(leaves_.size());
+    const std::span<PublishedLeaf> own(leaves_.begin() + static_cast<std::ptrdiff_t>(begin), leaves_.end());
     if (settings_.join_corners) {
-        join_corners(leaves_, [&](std::uint32_t u, std::uint32_t v) { return locate(root, u, v); });
+        join_corners(own, [&](std::uint32_t u, std::uint32_t v) {
+            return locate(root, u, v) - static_cast<std::uint32_t>(begin);
+        });
     } else {
-        keep_own_corners(leaves_);
-    }
-    const double inflation = error_inflation(chart);
-    for (const PublishedLeaf& leaf : leaves_) {
-        if (light == 1) {
-            const auto middle = [&](std::size_t a) { return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2; };
-            places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
-        }
-        for (std::size_t corner = 0; corner < 4; ++corner) {
-            const double error =
-                corner < 3 ? std::sqrt(leaf.freedom * inflation) * leaf.standard_error[static_cast<int>(corner)] : 0.0;
-            snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[corner]), static_cast<float>(error));
-        }
+        keep_own_corners(own);
     }
     ChartBins& bins = snapshot_.charts[chart];
     (light == 0 ? bins.direct_root : bins.indirect_root) = root;
-    (light == 0 ? bins.direct_leaves : bins.indirect_leaves) = static_cast<std::uint32_t>(leaves_.size());
+    (light == 0 ? bins.direct_leaves : bins.indirect_leaves) = static_cast<std::uint32_t>(own.size());
 }
 
-/// Squared error of a chart's leaves over their noise. Pruning stops where structure drowns in noise, so about as much
-/// structure as noise is left under the leaves, another part with every seed. The tally tree knows how much: the details
-/// of the splits that were not published, less their noise, averaged over the chart.
-double Publisher::error_inflation(std::uint32_t chart) const {
-    double structure = 0, noise = 0;
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-        const std::uint32_t node = leaf_nodes_[i];
-        const double time = age(node);
-        if (time <= 0) continue;
-        structure += unresolved_[node][looked_below - 1];
-        for (std::size_t b = 0; b < band_count; ++b) {
-            noise += importance_[chart][b] * leaves_[i].freedom * sums_[node].squares[b] /
-                     (tree_.cell(node).geometry.area * time * time);
+void Publisher::add_excess(std::size_t leaf, Excess& excess) const {
+    const std::uint32_t node = leaf_nodes_[leaf];
+    const double time = age(node);
+    if (time <= 0) return;
+    excess.structure += unresolved_[node][looked_below - 1];
+    for (std::size_t b = 0; b < band_count; ++b) {
+        excess.noise += importance_[tree_.cell(node).chart][b] * leaves_[leaf].freedom * sums_[node].squares[b] /
+                        (tree_.cell(node).geometry.area * time * time);
+    }
+    excess.leaves += 1;
+}
+
+void Publisher::write_leaves(int light) {
+    Excess scene;
+    for (std::size_t i = 0; i < leaves_.size(); ++i) add_excess(i, scene);
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        Excess excess;
+        for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) add_excess(i, excess);
+        const double inflation = excess.inflation(scene);
+        for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) {
+            const PublishedLeaf& leaf = leaves_[i];
+            const glm::dvec3 error = std::sqrt(leaf.freedom * inflation) * leaf.standard_error;
+            for (int corner = 0; corner < 4; ++corner) {
+                snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[static_cast<std::size_t>(corner)]),
+                                              corner < 3 ? static_cast<float>(error[corner]) : 0.0f);
+            }
+            if (light == 0) continue;
+            const auto middle = [&](std::size_t a) { return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2; };
+            places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
         }
     }
-    return noise > 0 ? 1 + std::max(0.0, structure / noise) : 1;
 }
 
 /// Area-weighted rms of standard error over value, of the band mean of direct and indirect light together; values below

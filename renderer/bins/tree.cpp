@@ -82,7 +82,8 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) 
     }
     for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
     // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell nothing.
-    constexpr double first_cells = 8192;
+    const double first_cells =
+        std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node<D>));
     const std::size_t contact_nodes = nodes_.size();
     for (std::uint32_t index = 0; index < contact_nodes; ++index) {
         if (!nodes_[index].is_leaf()) continue;
