@@ -19,22 +19,28 @@ struct ReleaseTree {
     void operator()(RTCScene tree) const { rtcReleaseScene(tree); }
 };
 
-// A context whose filter rejects hits on one plane.
+// A context whose filter rejects hits on the plane that a ray leaves, which the ray carries as its id. Most rays that
+// leave a plane meet it within rounding of their start: rejecting those on the way costs less than tracing them again.
 struct PastContext {
+    explicit PastContext(const std::vector<std::uint32_t>& planes_of_triangles) : planes(&planes_of_triangles) {
+        rtcInitIntersectContext(&base);
+        base.filter = reject_plane;
+    }
+
+    static void reject_plane(const RTCFilterFunctionNArguments* arguments) {
+        const auto& context = *reinterpret_cast<const PastContext*>(arguments->context);
+        for (unsigned i = 0; i < arguments->N; ++i) {
+            const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
+            const unsigned plane = RTCRayN_id(arguments->ray, arguments->N, i);
+            if (arguments->valid[i] && (*context.planes)[triangle] == plane) arguments->valid[i] = 0;
+        }
+    }
+
     RTCIntersectContext base;
     const std::vector<std::uint32_t>* planes;
-    std::uint32_t plane;
 };
 
-void reject_plane(const RTCFilterFunctionNArguments* arguments) {
-    const auto& context = *reinterpret_cast<const PastContext*>(arguments->context);
-    for (unsigned i = 0; i < arguments->N; ++i) {
-        const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
-        if (arguments->valid[i] && (*context.planes)[triangle] == context.plane) arguments->valid[i] = 0;
-    }
-}
-
-TriangleHit trace_one(RTCScene tree, RTCIntersectContext& context, const Ray& ray) {
+TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::uint32_t plane) {
     RTCRayHit query{};
     query.ray.org_x = ray.origin.x;
     query.ray.org_y = ray.origin.y;
@@ -44,17 +50,20 @@ TriangleHit trace_one(RTCScene tree, RTCIntersectContext& context, const Ray& ra
     query.ray.dir_z = ray.direction.z;
     query.ray.tfar = INFINITY;
     query.ray.mask = 0xffffffffu;
+    query.ray.id = plane;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(tree, &context, &query);
+    rtcIntersect1(tree, &context.base, &query);
     return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
 }
 
 // Up to eight rays; lanes without one are switched off.
-void trace_eight(RTCScene tree, RTCIntersectContext& context, std::span<const Ray> rays, TriangleHit* hits) {
+void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, std::span<const std::uint32_t> planes,
+                 TriangleHit* hits) {
     alignas(32) int valid[8];
     RTCRayHit8 query;
     for (std::size_t i = 0; i < 8; ++i) {
-        const Ray& ray = rays[std::min(i, rays.size() - 1)];
+        const std::size_t index = std::min(i, rays.size() - 1);
+        const Ray& ray = rays[index];
         valid[i] = i < rays.size() ? -1 : 0;
         query.ray.org_x[i] = ray.origin.x;
         query.ray.org_y[i] = ray.origin.y;
@@ -65,10 +74,11 @@ void trace_eight(RTCScene tree, RTCIntersectContext& context, std::span<const Ra
         query.ray.tnear[i] = query.ray.time[i] = 0.0f;
         query.ray.tfar[i] = INFINITY;
         query.ray.mask[i] = 0xffffffffu;
-        query.ray.id[i] = query.ray.flags[i] = 0;
+        query.ray.id[i] = planes[index];
+        query.ray.flags[i] = 0;
         query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect8(valid, tree, &context, &query);
+    rtcIntersect8(valid, tree, &context.base, &query);
     for (std::size_t i = 0; i < rays.size(); ++i)
         hits[i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};
 }
@@ -113,23 +123,16 @@ RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(
 
 RayTree::~RayTree() = default;
 
-void RayTree::trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+void RayTree::trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes, std::span<TriangleHit> hits) const {
+    PastContext context(impl_->planes);
     if (rays.size() == 1) {
-        hits[0] = trace_one(impl_->tree.get(), context, rays[0]);
+        hits[0] = trace_one(impl_->tree.get(), context, rays[0], planes[0]);
         return;
     }
-    for (std::size_t first = 0; first < rays.size(); first += 8)
-        trace_eight(impl_->tree.get(), context, rays.subspan(first, std::min<std::size_t>(8, rays.size() - first)),
-                    &hits[first]);
-}
-
-TriangleHit RayTree::trace_past(const Ray& ray, std::uint32_t plane) const {
-    PastContext context{{}, &impl_->planes, plane};
-    rtcInitIntersectContext(&context.base);
-    context.base.filter = reject_plane;
-    return trace_one(impl_->tree.get(), context.base, ray);
+    for (std::size_t first = 0; first < rays.size(); first += 8) {
+        const std::size_t count = std::min<std::size_t>(8, rays.size() - first);
+        trace_eight(impl_->tree.get(), context, rays.subspan(first, count), planes.subspan(first, count), &hits[first]);
+    }
 }
 
 }  // namespace brewster

@@ -17,12 +17,9 @@ class RayTree {
     RayTree(const Scene& scene, std::vector<std::uint32_t> planes);
     ~RayTree();
 
-    /// The nearest triangle in front of each ray, whatever it leaves. One ray alone and a ray in any company get the
-    /// same bits.
-    void trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const;
-
-    /// The nearest triangle that is not of this plane.
-    TriangleHit trace_past(const Ray& ray, std::uint32_t plane) const;
+    /// The nearest triangle in front of each ray that is not of its number in `planes`. One ray alone and a ray in any
+    /// company get the same bits.
+    void trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes, std::span<TriangleHit> hits) const;
 
   private:
     struct Impl;

@@ -68,10 +68,12 @@ struct Rays::Impl {
     explicit Impl(const Scene& whole)
         : scene(whole), stands(stands_of_surfaces(whole)), tree(whole, planes_of_triangles(whole, stands)) {}
 
-    // From the first answer to the hit: past the plane left, and where that meets nothing or a back, by a closer look.
-    Hit finished(const Ray& ray, TriangleHit first) const {
-        const std::uint32_t plane = ray.leaving == no_surface ? no_plane : stands[ray.leaving].plane;
-        if (first.met() && plane_of(first.triangle) == plane) first = tree.trace_past(ray, plane);
+    std::uint32_t plane_left(const Ray& ray) const {
+        return ray.leaving == no_surface ? no_plane : stands[ray.leaving].plane;
+    }
+
+    // From the first answer to the hit; where that is nothing or a back, by a closer look.
+    Hit finished(const Ray& ray, std::uint32_t plane, const TriangleHit& first) const {
         const Hit hit = hit_on(ray, first);
         if (hit.chart != no_chart) return hit;
         const Hit closer = hit_on(ray, closer_look(ray, plane, first));
@@ -99,7 +101,8 @@ struct Rays::Impl {
             clear.origin += stand.inset * up;
             beside.origin += 1e-4f * stand.size * up + 1e-3f * (stand.middle - ray.origin);
         }
-        const TriangleHit candidate = tree.trace_past(beside, plane);
+        TriangleHit candidate;
+        tree.trace({&beside, 1}, {&plane, 1}, {&candidate, 1});
         const bool disagrees = candidate.met() && candidate.triangle != first.triangle;
         if (disagrees)
             if (const auto exact = exact_hit(scene, candidate.triangle, clear.origin, clear.direction)) return *exact;
@@ -140,10 +143,12 @@ void Rays::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
                    std::to_string(rays.size()) + " rays, " + std::to_string(hits.size()) + " hits");
     constexpr std::size_t at_once = 64;
     TriangleHit raw[at_once];
+    std::uint32_t planes[at_once];
     for (std::size_t first = 0; first < rays.size(); first += at_once) {
         const std::size_t count = std::min(at_once, rays.size() - first);
-        impl_->tree.trace(rays.subspan(first, count), {raw, count});
-        for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->finished(rays[first + i], raw[i]);
+        for (std::size_t i = 0; i < count; ++i) planes[i] = impl_->plane_left(rays[first + i]);
+        impl_->tree.trace(rays.subspan(first, count), {planes, count}, {raw, count});
+        for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->finished(rays[first + i], planes[i], raw[i]);
     }
 }
 
