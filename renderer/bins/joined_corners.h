@@ -26,8 +26,8 @@ struct PublishedLeaf {
 /// Corners from each cell's own fit: steps at every border.
 void keep_own_corners(std::span<PublishedLeaf> leaves);
 
-/// Continuous where the light is: cells that meet at a corner and agree there within three standard errors in every band
-/// share one value; where a corner hangs on the edge of a larger cell that agrees, it lies on that edge. The shared
+/// Continuous where the light is: cells that meet at a corner and agree there, within seven standard errors of noise or
+/// 30 %, in every band share one value; where a corner hangs on the edge of a larger cell that agrees, it lies on that edge. The shared
 /// values are the least-squares projection of all linear fits onto such functions, weighted by area, so flux is kept:
 /// the integral against every corner's hat function stays. `locate` gives the leaf under fixed-point (u, v).
 void join_corners(std::span<PublishedLeaf> leaves,
