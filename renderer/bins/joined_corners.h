@@ -16,7 +16,6 @@ struct PublishedLeaf {
     std::array<glm::dvec3, 2> slopes{};   ///< change over half the cell
     glm::dvec3 standard_error{0};         ///< of the mean
     std::array<glm::dvec3, 4> corners{};  ///< (0,0), (1,0), (0,1), (1,1)
-    double unresolved = 0;
     double freedom = 3;                   ///< numbers fitted from this cell's photons alone: 3, less where corners are shared
 
     glm::dvec3 linear(const std::array<double, 2>& x) const {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <span>
 
 #include "base/check.h"
 #include "bins/joined_corners.h"
@@ -14,8 +14,8 @@ namespace brewster {
 namespace {
 
 using Layout = RecordLayout<2>;
-const double C1 = atof(getenv("C1"));
 
+constexpr std::size_t looked_below = 5;  // levels of the tally tree under a published leaf that its error bar asks
 
 /// Sums of one light in one cell over all that landed in it since its birth, its children's included.
 struct LightSums {
@@ -72,6 +72,24 @@ struct Spread {
     }
 };
 
+/// Squared error of leaves over their noise. Pruning stops where structure drowns in noise, so about as much structure as
+/// noise is left under the leaves, another part with every seed. The tally tree knows how much: the details of the
+/// splits that were not published, less their noise.
+struct Excess {
+    double structure = 0, noise = 0;  ///< squared density x area, weighted by the bands' importance
+    double leaves = 0;
+
+    /// Few leaves know it badly (a leaf's own estimate has a standard deviation of 4.5), so a chart leans on its scene,
+    /// and only what stands out by half a standard deviation counts.
+    double inflation(const Excess& scene) const {
+        constexpr double deviation_of_one = 4.5, lean_on_scene = 64;
+        if (noise <= 0 || scene.noise <= 0) return 1;
+        const double lean = std::min(lean_on_scene, scene.leaves);
+        const double ratio = (leaves * structure / noise + lean * scene.structure / scene.noise) / (leaves + lean);
+        return 1 + std::max(0.0, ratio - 0.5 * deviation_of_one / std::sqrt(leaves + lean));
+    }
+};
+
 class Publisher {
   public:
     Publisher(const BinTree<2>& tree, const Tally<2>* pending, std::uint64_t photons, double flux_per_weight,
@@ -86,7 +104,8 @@ class Publisher {
             gather_sums(light);
             choose_leaves();
             pool_spreads();
-            for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) publish_chart(chart, light);
+            for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) build_chart(chart, light);
+            write_leaves(light);
         }
         snapshot_.relative_error = relative_error();
         return std::move(snapshot_);
@@ -106,10 +125,12 @@ class Publisher {
     void choose_leaves();
     void pool_spreads();
     double variance_ratio(std::uint32_t node) const;
-    void publish_chart(std::uint32_t chart, int light);
+    void build_chart(std::uint32_t chart, int light);
+    void write_leaves(int light);
     void collect_leaves(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
+    void add_excess(std::size_t leaf, Excess& excess) const;
     double relative_error() const;
 
     const BinTree<2>& tree_;
@@ -121,15 +142,19 @@ class Publisher {
     std::vector<Spread> spreads_;         // per node
     std::vector<LightSums> sums_;         // per node
     std::vector<bool> keep_;              // per node: its split is published
-    std::vector<double> unresolved_;      // per node: what the split that was not published would explain, in its noise
+    // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x area.
+    std::vector<std::array<double, looked_below>> unresolved_;
+    std::vector<std::array<double, band_count>> importance_;  // per chart
     std::vector<double> chart_ratio_;     // per chart: pooled spread over sum w^2
-    std::vector<PublishedLeaf> leaves_;   // of the chart and light at hand
+    std::vector<PublishedLeaf> leaves_;      // of the light at hand, chart after chart
+    std::vector<std::uint32_t> leaf_nodes_;  // beside them
     struct Place {
         std::uint32_t chart, u, v;
         double area;
     };
     std::vector<Place> places_;           // the middles of the leaves of the indirect light
-    std::uint32_t first_leaf_ = 0;        // the index of leaves_[0] in the snapshot
+    std::vector<std::size_t> chart_begin_;   // into leaves_, per chart and one more
+    std::uint32_t first_leaf_ = 0;           // the index of leaves_[0] in the snapshot
 };
 
 // Children stand behind their parents, so a walk from the back meets them first.
@@ -165,16 +190,16 @@ void Publisher::gather_sums(int light) {
 
 void Publisher::choose_leaves() {
     keep_.assign(tree_.node_count(), settings_.fixed_grid_log2 >= 0);
-    unresolved_.assign(tree_.node_count(), 0.0);
-    if (settings_.fixed_grid_log2 >= 0) return;
+    unresolved_.assign(tree_.node_count(), {});
     // Bands count by their relative error, so that a dim band is not drowned by a bright one.
-    std::vector<std::array<double, band_count>> importance(tree_.chart_count());
+    importance_.resize(tree_.chart_count());
     for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
         for (std::size_t b = 0; b < band_count; ++b) {
             const double mean = sums_[chart].weight[b] / age(chart);
-            importance[chart][b] = mean > 0 ? 1 / (mean * mean) : 0;
+            importance_[chart][b] = mean > 0 ? 1 / (mean * mean) : 0;
         }
     }
+    if (settings_.fixed_grid_log2 >= 0) return;
     std::vector<double> gain(tree_.node_count(), 0.0);
     for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
         if (tree_.node(node).is_leaf()) continue;
@@ -190,7 +215,7 @@ void Publisher::choose_leaves() {
         double detail = 0, noise = 0;
         for (std::size_t b = 0; b < band_count; ++b) {
             // Per photon since the split, so that all noise weighs alike and young splits count by what they have seen.
-            const double band = importance[tree_.cell(node).chart][b] / time;
+            const double band = importance_[tree_.cell(node).chart][b] / time;
             double energy = -parent.energy(later.weight[b], later.moments[b]);
             double variance = -later.squares[b] / tree_.cell(node).geometry.area;
             for (const std::uint32_t side : {0u, 1u}) {
@@ -201,7 +226,12 @@ void Publisher::choose_leaves() {
             detail += band * energy;
             noise += band * 3 * variance;
         }
-        unresolved_[node] = std::max(0.0, detail / noise - 1);
+        if (2 * time >= static_cast<double>(photons_)) {
+            std::array<double, looked_below>& below = unresolved_[node];
+            below.fill((detail - noise) / time);
+            for (std::size_t level = 1; level < looked_below; ++level)
+                below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
+        }
         const double net = detail + gain[low] + gain[high] - 2 * settings_.prune_lambda * noise;
         if (net > 0) {
             gain[node] = net;
@@ -258,7 +288,6 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
     PublishedLeaf leaf;
     leaf.box = cell.box;
     leaf.geometry = &cell.geometry;
-    leaf.unresolved = unresolved_[node];
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
         leaf.density[band] = flux_per_weight_ * weight[band] / cell.geometry.area;
@@ -287,6 +316,7 @@ void Publisher::collect_leaves(std::uint32_t node, std::uint32_t slot, const glm
         const auto index = first_leaf_ + static_cast<std::uint32_t>(leaves_.size());
         snapshot_.nodes[slot] = {0u, BREWSTER_NODE_LEAF | index};
         leaves_.push_back(fit_leaf(node, weight));
+        leaf_nodes_.push_back(node);
         return;
     }
     const std::uint32_t low = tree_node.low_child();
@@ -315,32 +345,63 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
     return (node.y & ~BREWSTER_NODE_LEAF) - first_leaf_;
 }
 
-void Publisher::publish_chart(std::uint32_t chart, int light) {
-    leaves_.clear();
-    first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
+void Publisher::build_chart(std::uint32_t chart, int light) {
+    if (chart == 0) {
+        leaves_.clear();
+        leaf_nodes_.clear();
+        chart_begin_.assign(1, 0);
+        first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
+    }
     const auto root = static_cast<std::uint32_t>(snapshot_.nodes.size());
     snapshot_.nodes.emplace_back();
     const auto& total = sums_[chart].weight;
+    const std::size_t begin = leaves_.size();
     collect_leaves(chart, root, glm::dvec3(total[0], total[1], total[2]) / age(chart));
+    chart_begin_.push_back(leaves_.size());
+    const std::span<PublishedLeaf> own(leaves_.begin() + static_cast<std::ptrdiff_t>(begin), leaves_.end());
     if (settings_.join_corners) {
-        join_corners(leaves_, [&](std::uint32_t u, std::uint32_t v) { return locate(root, u, v); });
+        join_corners(own, [&](std::uint32_t u, std::uint32_t v) {
+            return locate(root, u, v) - static_cast<std::uint32_t>(begin);
+        });
     } else {
-        keep_own_corners(leaves_);
-    }
-    for (const PublishedLeaf& leaf : leaves_) {
-        if (light == 1) {
-            const auto middle = [&](std::size_t a) { return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2; };
-            places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
-        }
-        for (std::size_t corner = 0; corner < 4; ++corner) {
-            const double error =
-                corner < 3 ? std::sqrt(leaf.freedom + C1 * leaf.unresolved) * leaf.standard_error[static_cast<int>(corner)] : 0.0;
-            snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[corner]), static_cast<float>(error));
-        }
+        keep_own_corners(own);
     }
     ChartBins& bins = snapshot_.charts[chart];
     (light == 0 ? bins.direct_root : bins.indirect_root) = root;
-    (light == 0 ? bins.direct_leaves : bins.indirect_leaves) = static_cast<std::uint32_t>(leaves_.size());
+    (light == 0 ? bins.direct_leaves : bins.indirect_leaves) = static_cast<std::uint32_t>(own.size());
+}
+
+void Publisher::add_excess(std::size_t leaf, Excess& excess) const {
+    const std::uint32_t node = leaf_nodes_[leaf];
+    const double time = age(node);
+    if (time <= 0) return;
+    excess.structure += unresolved_[node][looked_below - 1];
+    for (std::size_t b = 0; b < band_count; ++b) {
+        excess.noise += importance_[tree_.cell(node).chart][b] * leaves_[leaf].freedom * sums_[node].squares[b] /
+                        (tree_.cell(node).geometry.area * time * time);
+    }
+    excess.leaves += 1;
+}
+
+void Publisher::write_leaves(int light) {
+    Excess scene;
+    for (std::size_t i = 0; i < leaves_.size(); ++i) add_excess(i, scene);
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        Excess excess;
+        for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) add_excess(i, excess);
+        const double inflation = excess.inflation(scene);
+        for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) {
+            const PublishedLeaf& leaf = leaves_[i];
+            const glm::dvec3 error = std::sqrt(leaf.freedom * inflation) * leaf.standard_error;
+            for (int corner = 0; corner < 4; ++corner) {
+                snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[static_cast<std::size_t>(corner)]),
+                                              corner < 3 ? static_cast<float>(error[corner]) : 0.0f);
+            }
+            if (light == 0) continue;
+            const auto middle = [&](std::size_t a) { return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2; };
+            places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
+        }
+    }
 }
 
 /// Area-weighted rms of standard error over value, of the band mean of direct and indirect light together; values below

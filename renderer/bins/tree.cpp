@@ -81,14 +81,15 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) 
         return;
     }
     for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
-    // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where idle.
-    constexpr double first_cells = 2048;
+    // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell nothing.
+    const double first_cells =
+        std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node<D>));
     const std::size_t contact_nodes = nodes_.size();
     for (std::uint32_t index = 0; index < contact_nodes; ++index) {
         if (!nodes_[index].is_leaf()) continue;
         const double share = first_cells * cells_[index].geometry.area / total_area;
         const int levels = static_cast<int>(std::floor(std::log2(std::max(share, 1.0))));
-        split_evenly(index, std::min(levels, 8), outlines_[cells_[index].chart].size);
+        split_evenly(index, std::min(levels, 12), outlines_[cells_[index].chart].size);
     }
 }
 

@@ -12,9 +12,10 @@ namespace brewster {
 /// How one Stokes component of one band of a picture `a` differs from a reference `b`.
 struct BandDifference {
     double mean_a = 0, mean_b = 0;
-    double rmse = 0;           ///< sqrt(mean((a - b)^2)), in the picture's unit
-    double relative_rmse = 0;  ///< sqrt(mean(((a - b)^2 - variance of b) / (b^2 + e^2))), e = 1 % of b's mean S0 in the region
-    double bias = 0;           ///< mean(a - b)
+    double rmse = 0;  ///< sqrt(mean((a - b)^2)), in the picture's unit
+    double relative_rmse =
+        0;            ///< sqrt(mean(((a - b)^2 - variance of b) / (b^2 + e^2))), e = 1 % of b's mean S0 in the region
+    double bias = 0;  ///< mean(a - b)
     /// Of the bias, from the pixel variances of both pictures (one that has none counts as exact); none when neither
     /// has them. Pixels count as independent: where bins join neighbours, the true error is larger.
     std::optional<double> bias_standard_error;

@@ -13,8 +13,8 @@ namespace brewster {
 namespace {
 
 constexpr double angle_tolerance = radians(0.1);
-constexpr double normal_cell = 4e-3;  // more than twice the angle, so that a normal is near two cells an axis at most
-constexpr double offset_cell = 1e-2;  // of the mesh's radius; wider than what two normals of one cell make of an offset
+constexpr double normal_cell = 2e-2;
+constexpr double offset_cell = 5e-3;  // of the mesh's radius
 
 struct Face {
     std::array<glm::dvec3, 3> corners;
@@ -27,35 +27,23 @@ struct Growing {
     glm::dvec3 area_moment{0.0};
 };
 
-struct Cell {
-    std::array<std::int64_t, 4> index;
-    bool operator==(const Cell&) const = default;
-};
-
-struct CellHash {
-    std::size_t operator()(const Cell& cell) const {
-        std::uint64_t hash = 0x9e3779b97f4a7c15u;
-        for (const std::int64_t i : cell.index) {
-            hash = (hash ^ static_cast<std::uint64_t>(i)) * 0xff51afd7ed558ccdu;
-            hash ^= hash >> 32;
-        }
-        return hash;
-    }
-};
-
 std::int64_t cell_of(double x, double width) {
     return static_cast<std::int64_t>(std::floor(x / width));
 }
 
-// The direction along which offsets are measured in a cell of normals: the same for every plane in it.
-glm::dvec3 cell_direction(const std::array<std::int64_t, 3>& cell) {
-    return glm::normalize(
-        (glm::dvec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]), static_cast<double>(cell[2])) + 0.5) *
-        normal_cell);
+// Two cells may share a key: that only brings candidates that do not belong.
+std::uint64_t key_of(const std::array<std::int64_t, 4>& cell) {
+    std::uint64_t key = 0x9e3779b97f4a7c15u;
+    for (const std::int64_t i : cell) {
+        key = (key ^ static_cast<std::uint64_t>(i)) * 0xff51afd7ed558ccdu;
+        key ^= key >> 32;
+    }
+    return key;
 }
 
 bool belongs(const Face& face, const Growing& plane, double distance_tolerance) {
-    if (glm::dot(face.normal, plane.group.normal) < std::cos(angle_tolerance)) return false;
+    static const double least_cosine = std::cos(angle_tolerance);
+    if (glm::dot(face.normal, plane.group.normal) < least_cosine) return false;
     glm::dvec3 low = plane.low, high = plane.high;
     double off = 0;
     for (const glm::dvec3& p : face.corners) {
@@ -66,43 +54,61 @@ bool belongs(const Face& face, const Growing& plane, double distance_tolerance) 
     return off <= distance_tolerance * glm::length(high - low);
 }
 
-// The planes found so far, by cells of normal and offset.
+// The planes found so far, by cells of normal and offset. A plane stands in all cells that a face of it may fall in:
+// the face's normal may be off by the angle tolerance, and its offset by as much times the radius.
 class PlaneIndex {
   public:
     explicit PlaneIndex(double radius) : radius_(radius) {}
 
-    const std::vector<std::uint32_t>* candidates(const Face& face) const {
-        const std::array<std::int64_t, 3> cell = {cell_of(face.normal.x, normal_cell),
-                                                  cell_of(face.normal.y, normal_cell),
-                                                  cell_of(face.normal.z, normal_cell)};
-        const double offset = glm::dot(cell_direction(cell), face.middle);
-        const auto found = cells_.find({{cell[0], cell[1], cell[2], cell_of(offset, offset_cell * radius_)}});
-        return found == cells_.end() ? nullptr : &found->second;
+    // The first plane, in the order of adding, that `is_home` accepts for a face; none: -1.
+    template <class IsHome>
+    std::int64_t find(const Face& face, const IsHome& is_home) const {
+        const auto chain = chains_.find(key_of(
+            {cell_of(face.normal.x, normal_cell), cell_of(face.normal.y, normal_cell),
+             cell_of(face.normal.z, normal_cell), cell_of(glm::dot(face.normal, face.middle), offset_cell * radius_)}));
+        if (chain == chains_.end()) return -1;
+        for (std::uint32_t link = chain->second.first; link != end; link = links_[link].next)
+            if (is_home(links_[link].plane)) return links_[link].plane;
+        return -1;
     }
 
     void add(std::uint32_t plane, glm::dvec3 normal, double offset) {
-        std::array<std::int64_t, 3> low, high, cell;
+        std::array<std::int64_t, 4> low, high, cell;
         for (int k = 0; k < 3; ++k) {
             const auto axis = static_cast<std::size_t>(k);
             low[axis] = cell_of(normal[k] - angle_tolerance, normal_cell);
             high[axis] = cell_of(normal[k] + angle_tolerance, normal_cell);
         }
+        const double slack = (angle_tolerance + 1e-4) * radius_;
+        low[3] = cell_of(offset - slack, offset_cell * radius_);
+        high[3] = cell_of(offset + slack, offset_cell * radius_);
         for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0])
             for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1])
-                for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) add_to(cell, plane, normal, offset);
+                for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2])
+                    for (cell[3] = low[3]; cell[3] <= high[3]; ++cell[3]) append(key_of(cell), plane);
     }
 
   private:
-    // Within the mesh's radius, the plane's points lie this far apart along the cell's direction.
-    void add_to(const std::array<std::int64_t, 3>& cell, std::uint32_t plane, glm::dvec3 normal, double offset) {
-        const double spread = glm::length(cell_direction(cell) - normal) * radius_;
-        const std::int64_t first = cell_of(offset - spread, offset_cell * radius_);
-        const std::int64_t last = cell_of(offset + spread, offset_cell * radius_);
-        for (std::int64_t i = first; i <= last; ++i) cells_[{{cell[0], cell[1], cell[2], i}}].push_back(plane);
+    static constexpr std::uint32_t end = 0xffffffffu;
+    struct Link {
+        std::uint32_t plane, next;
+    };
+    struct Chain {
+        std::uint32_t first, last;
+    };
+
+    void append(std::uint64_t key, std::uint32_t plane) {
+        const auto link = static_cast<std::uint32_t>(links_.size());
+        links_.push_back({plane, end});
+        const auto [chain, is_new] = chains_.try_emplace(key, Chain{link, link});
+        if (is_new) return;
+        links_[chain->second.last].next = link;
+        chain->second.last = link;
     }
 
     double radius_;
-    std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
+    std::vector<Link> links_;
+    std::unordered_map<std::uint64_t, Chain> chains_;
 };
 
 std::vector<Face> faces_of(const std::vector<glm::vec3>& vertices,
@@ -157,20 +163,18 @@ std::vector<PlaneGroup> plane_groups(const std::vector<glm::vec3>& vertices,
     std::vector<Growing> planes;
     for (const std::uint32_t i : order) {
         const Face& face = faces[i];
-        const std::vector<std::uint32_t>* candidates = index.candidates(face);
-        Growing* home = nullptr;
-        for (std::size_t k = 0; candidates && k < candidates->size() && !home; ++k)
-            if (belongs(face, planes[(*candidates)[k]], distance_tolerance)) home = &planes[(*candidates)[k]];
-        if (!home) {
+        std::int64_t home =
+            index.find(face, [&](std::uint32_t plane) { return belongs(face, planes[plane], distance_tolerance); });
+        if (home < 0) {
+            home = static_cast<std::int64_t>(planes.size());
             Growing plane;
             plane.group.normal = face.normal;
             plane.group.offset = glm::dot(face.normal, face.middle);
             plane.low = plane.high = face.middle;
-            index.add(static_cast<std::uint32_t>(planes.size()), plane.group.normal, plane.group.offset);
-            planes.push_back(plane);
-            home = &planes.back();
+            index.add(static_cast<std::uint32_t>(home), plane.group.normal, plane.group.offset);
+            planes.push_back(std::move(plane));
         }
-        add_face(*home, face, i);
+        add_face(planes[static_cast<std::size_t>(home)], face, i);
     }
 
     std::vector<PlaneGroup> groups;

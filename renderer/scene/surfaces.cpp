@@ -12,9 +12,6 @@ namespace {
 
 // Below this height, relative to the longest edge, a triangle of floats has no plane to speak of.
 constexpr double flattest = 1e-7;
-// How far inside its edges a hit lies, of the chart's size, but never less than the rounding of its coordinates.
-constexpr double inset = 1e-6;
-constexpr double inset_of_coordinate = 0x1p-22;
 
 struct Shape {
     glm::dvec3 edges;  ///< lengths, opposite to each vertex
@@ -68,11 +65,7 @@ Chart back_of(Chart chart) {
     return chart;
 }
 
-glm::vec3 margin_of(const Shape& shape, const Chart& chart) {
-    const glm::vec3 far =
-        glm::abs(chart.origin) + glm::abs(chart.size_u * chart.axis_u) + glm::abs(chart.size_v * chart.axis_v);
-    const double delta = std::max(inset * static_cast<double>(chart.size()),
-                                  inset_of_coordinate * static_cast<double>(std::max({far.x, far.y, far.z})));
+glm::vec3 margin_of(const Shape& shape, double delta) {
     glm::vec3 margin;
     for (int k = 0; k < 3; ++k) {
         const double height = 2.0 * shape.area / shape.edges[k];
@@ -82,6 +75,13 @@ glm::vec3 margin_of(const Shape& shape, const Chart& chart) {
 }
 
 }  // namespace
+
+double hit_inset(const Chart& chart) {
+    const glm::vec3 far =
+        glm::abs(chart.origin) + glm::abs(chart.size_u * chart.axis_u) + glm::abs(chart.size_v * chart.axis_v);
+    return std::max(1e-6 * static_cast<double>(chart.size()),
+                    0x1p-22 * static_cast<double>(std::max({far.x, far.y, far.z})));
+}
 
 std::size_t add_surfaces(Scene& scene, const Part& part) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -102,7 +102,7 @@ std::size_t add_surfaces(Scene& scene, const Part& part) {
         if (scene.materials[part.material].double_sided) sides.back_chart = sides.front_chart + 1;
         for (const std::uint32_t t : plane.triangles) {
             for (std::size_t k = 0; k < 3; ++k) sides.vertices[k] = first_vertex + triangles[t][k];
-            sides.margin = margin_of(shape_of(part.vertices, triangles[t]), front);
+            sides.margin = margin_of(shape_of(part.vertices, triangles[t]), hit_inset(front));
             scene.triangles.push_back(sides);
         }
         scene.charts.push_back(front);

@@ -22,4 +22,8 @@ struct Part {
 /// made yet. Triangles without area are left out; their number is returned.
 std::size_t add_surfaces(Scene& scene, const Part& part);
 
+/// Metres: how far inside the edges of its triangles a hit on the chart lies. 1e-6 of the chart's size, but never less
+/// than four units in the last place of its coordinates.
+double hit_inset(const Chart& chart);
+
 }  // namespace brewster

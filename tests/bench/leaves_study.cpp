@@ -49,13 +49,10 @@ std::vector<Hit> primary_hits(const Scene& scene, const Camera& camera) {
     return hits;
 }
 
-/// Radiance by indirect light per pixel, and its variance, as S0 and V0.
+/// Radiance by indirect light per pixel.
 Image indirect_picture(const Scene& scene, const std::vector<Hit>& hits, const Snapshot& bins) {
     Image image(size, size);
-    for (int band = 0; band < band_count; ++band) {
-        image.add_channel(stokes_channel(0, band));
-        image.add_channel(variance_channel(0, band));
-    }
+    for (int band = 0; band < band_count; ++band) image.add_channel(stokes_channel(0, band));
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (hits[i].chart == no_chart) continue;
         const Chart& chart = scene.charts[hits[i].chart];
@@ -64,14 +61,24 @@ Image indirect_picture(const Scene& scene, const std::vector<Hit>& hits, const S
         for (int band = 0; band < band_count; ++band) {
             const float factor = scene.materials[chart.material].albedo[band] / static_cast<float>(pi) / draws;
             image.channel(stokes_channel(0, band))[i / draws] += factor * found.value[band];
-            // The draws of a pixel mostly share a leaf: their errors add up as numbers, not as squares.
-            const float error = factor * found.standard_error[band];
-            image.channel(variance_channel(0, band))[i / draws] += error;
         }
     }
-    for (int band = 0; band < band_count; ++band)
-        for (float& error : image.channel(variance_channel(0, band))) error *= error;
     return image;
+}
+
+/// The mean of two independent pictures, and as V0 the square of half their difference: its expectation is the variance
+/// of the mean, without any model of the noise.
+Image mean_of(const Image& a, const Image& b) {
+    Image mean(size, size);
+    for (int band = 0; band < band_count; ++band) {
+        const auto& x = a.channel(stokes_channel(0, band));
+        const auto& y = b.channel(stokes_channel(0, band));
+        auto& value = mean.add_channel(stokes_channel(0, band));
+        for (std::size_t i = 0; i < value.size(); ++i) value[i] = 0.5f * (x[i] + y[i]);
+        auto& variance = mean.add_channel(variance_channel(0, band));
+        for (std::size_t i = 0; i < variance.size(); ++i) variance[i] = 0.25f * (x[i] - y[i]) * (x[i] - y[i]);
+    }
+    return mean;
 }
 
 struct Run {
@@ -122,10 +129,10 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[1], "truth") == 0) {
         fixed.fixed_grid_log2 = 6;
         StopRule rule;
-        rule.seconds = std::atof(argv[4]);
-        const Run truth = run(scene, 987654321, rule, fixed);
-        write_exr(argv[5], indirect_picture(*scene, hits, *truth.bins));
-        std::printf("truth: %.4g photons\n", static_cast<double>(truth.progress.photons));
+        rule.seconds = std::atof(argv[4]) / 2;
+        const Run first = run(scene, 987654321, rule, fixed), second = run(scene, 123456789, rule, fixed);
+        write_exr(argv[5], mean_of(indirect_picture(*scene, hits, *first.bins), indirect_picture(*scene, hits, *second.bins)));
+        std::printf("truth: %.4g photons\n", static_cast<double>(first.progress.photons + second.progress.photons));
         return 0;
     }
     const Image truth = read_exr(argv[4]);

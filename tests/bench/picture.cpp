@@ -15,7 +15,8 @@ using namespace brewster;
 std::uint32_t add_tree(Snapshot& bins, std::uint32_t place, std::array<std::uint32_t, 4> cell, int depth,
                        std::mt19937& random) {
     if (depth == 0) {
-        bins.nodes[place] = {0u, BREWSTER_NODE_LEAF | static_cast<std::uint32_t>(bins.leaves.size() / 5)};
+        bins.nodes[place] = {
+            0u, BREWSTER_NODE_LEAF | static_cast<std::uint32_t>(bins.leaves.size() / BREWSTER_LEAF_TEXELS)};
         for (unsigned k = 0; k < BREWSTER_LEAF_TEXELS; ++k) {
             bins.leaves.emplace_back(std::uniform_real_distribution(0.0f, 1.0f)(random));
         }
@@ -62,7 +63,7 @@ void draw_cornell_box(benchmark::State& state) {
         picture.draw();
         picture.finish();
     }
-    state.counters["leaves"] = static_cast<double>(bins->leaves.size() / 5);
+    state.counters["leaves"] = static_cast<double>(bins->leaves.size() / BREWSTER_LEAF_TEXELS);
 }
 BENCHMARK(draw_cornell_box)
     ->DenseRange(0, 12, 3)

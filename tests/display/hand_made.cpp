@@ -33,7 +33,7 @@ std::uint32_t grow(Snapshot& bins, std::uint32_t place, std::array<std::uint32_t
     const std::uint32_t low = cell[2 * axis], high = cell[2 * axis + 1];
     if (leaves < 2 || high - low < 8) {
         const auto value = [&] { return uniform(1, 10); };
-        bins.nodes[place] = add_leaf(bins, {value(), value(), value(), value()}, uniform(-0.5f, 0.5f), uniform(0, 1));
+        bins.nodes[place] = add_leaf(bins, {value(), value(), value(), value()}, uniform(0, 1));
         return place;
     }
     const auto split = low + static_cast<std::uint32_t>(uniform(0.2f, 0.8f) * static_cast<float>(high - low));
@@ -82,14 +82,13 @@ void close(Scene& scene) {
     }
 }
 
-glm::uvec2 add_leaf(Snapshot& bins, const std::array<float, 4>& corners, float bubble, float standard_error) {
+glm::uvec2 add_leaf(Snapshot& bins, const std::array<float, 4>& corners, float standard_error) {
     const auto leaf = static_cast<std::uint32_t>(bins.leaves.size() / BREWSTER_LEAF_TEXELS);
     const glm::vec3 bands(1.0f, 0.5f, 0.25f);
     for (int k = 0; k < 4; ++k) {
         const float error = k < 3 ? standard_error * bands[k] : 0.0f;
         bins.leaves.emplace_back(corners[static_cast<std::size_t>(k)] * bands, error);
     }
-    bins.leaves.emplace_back(bubble * bands, 0.0f);
     return {0u, BREWSTER_NODE_LEAF | leaf};
 }
 
@@ -101,8 +100,8 @@ Snapshot empty_bins(const Scene& scene) {
         chart.direct_root = static_cast<std::uint32_t>(bins.nodes.size());
         chart.indirect_root = chart.direct_root + 1;
         chart.direct_leaves = chart.indirect_leaves = 1;
-        bins.nodes.push_back(add_leaf(bins, {0, 0, 0, 0}, 0, 0));
-        bins.nodes.push_back(add_leaf(bins, {0, 0, 0, 0}, 0, 0));
+        bins.nodes.push_back(add_leaf(bins, {0, 0, 0, 0}, 0));
+        bins.nodes.push_back(add_leaf(bins, {0, 0, 0, 0}, 0));
         bins.charts.push_back(chart);
     }
     return bins;

@@ -19,12 +19,12 @@ void close(Scene& scene);
 /// Bins with one leaf a chart for the direct and one for the indirect light.
 Snapshot empty_bins(const Scene& scene);
 
-/// Appends a leaf with these corner values (0,0), (1,0), (0,1), (1,1), bubble and standard error, equal in all bands up
+/// Appends a leaf with these corner values (0,0), (1,0), (0,1), (1,1) and standard error, equal in all bands up
 /// to the factors 1, 1/2, 1/4, and returns the word that a node needs for it.
-glm::uvec2 add_leaf(Snapshot& bins, const std::array<float, 4>& corners, float bubble, float standard_error);
+glm::uvec2 add_leaf(Snapshot& bins, const std::array<float, 4>& corners, float standard_error);
 
-/// Appends a random tree of about so many leaves: uneven splits along both axes, random corners in [1, 10], bubbles in
-/// [-0.5, 0.5]. Returns its root.
+/// Appends a random tree of about so many leaves: uneven splits along both axes, random corners in [1, 10]. Returns
+/// its root.
 std::uint32_t add_random_tree(Snapshot& bins, int leaves, std::mt19937& random);
 
 }  // namespace brewster::hand_made

@@ -51,10 +51,8 @@ class Lookup : public GlTest {
         const RenderTarget target(side, side, 3, false);
         const Texture points = Texture::create();
         std::vector<glm::vec4> texels;  // GL's first row is the lowest
-        for (int y = side - 1; y >= 0; --y) {
-            const auto row = points_.begin() + side * y;
-            texels.insert(texels.end(), row, row + side);
-        }
+        for (auto row = points_.end(); row != points_.begin(); row -= side)
+            texels.insert(texels.end(), row - side, row);
         glActiveTexture(GL_TEXTURE5);
         glBindTexture(GL_TEXTURE_2D, points.id());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

@@ -62,8 +62,8 @@ class PictureTest : public GlTest {};
 TEST_F(PictureTest, RadianceIsEmissionAndReflectedIrradiance) {
     const Room room;
     auto bins = std::make_shared<Snapshot>(hand_made::empty_bins(room.scene));
-    bins->nodes[bins->charts[room.floor].direct_root] = hand_made::add_leaf(*bins, {1, 3, 2, 4}, 0, 0.3f);
-    bins->nodes[bins->charts[room.floor].indirect_root] = hand_made::add_leaf(*bins, {2, 2, 2, 2}, 0, 0.4f);
+    bins->nodes[bins->charts[room.floor].direct_root] = hand_made::add_leaf(*bins, {1, 3, 2, 4}, 0.3f);
+    bins->nodes[bins->charts[room.floor].indirect_root] = hand_made::add_leaf(*bins, {2, 2, 2, 2}, 0.4f);
     Picture picture(room.scene);
     picture.show(bins);
     EXPECT_TRUE(picture.upload());
@@ -181,7 +181,7 @@ TEST_F(PictureTest, DrawsAverageOverThePixel) {
 TEST_F(PictureTest, VarianceOfTheBinsDoesNotShrinkWithDraws) {
     const Room room;
     auto bins = std::make_shared<Snapshot>(hand_made::empty_bins(room.scene));
-    bins->nodes[bins->charts[room.floor].direct_root] = hand_made::add_leaf(*bins, {2, 2, 2, 2}, 0, 0.5f);
+    bins->nodes[bins->charts[room.floor].direct_root] = hand_made::add_leaf(*bins, {2, 2, 2, 2}, 0.5f);
     Picture picture(room.scene);
     picture.show(bins);
     picture.upload();
@@ -223,7 +223,7 @@ TEST_F(PictureTest, OldBinsStayUntilTheNewAreComplete) {
         bins[k]->version = k + 1;
         const float level = static_cast<float>(k + 1);
         bins[k]->nodes[bins[k]->charts[room.floor].direct_root] =
-            hand_made::add_leaf(*bins[k], {level, level, level, level}, 0, 0);
+            hand_made::add_leaf(*bins[k], {level, level, level, level}, 0);
     }
     const auto shown = [&] {
         picture.draw();
@@ -272,7 +272,7 @@ TEST_F(PictureTest, AnotherViewBeginsAnew) {
 TEST_F(PictureTest, ScreenShowsTheToneMappedMean) {
     const Room room;
     auto bins = std::make_shared<Snapshot>(hand_made::empty_bins(room.scene));
-    bins->nodes[bins->charts[room.floor].direct_root] = hand_made::add_leaf(*bins, {0, 30, 1, 4}, 0, 0);
+    bins->nodes[bins->charts[room.floor].direct_root] = hand_made::add_leaf(*bins, {0, 30, 1, 4}, 0);
     Picture picture(room.scene);
     picture.show(bins);
     picture.upload();

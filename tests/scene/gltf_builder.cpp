@@ -75,7 +75,7 @@ int GltfBuilder::add_mesh(const std::string& name, const std::vector<glm::vec3>&
                                      {"count", 3 * triangles.size()},
                                      {"type", "SCALAR"}});
     }
-    json["meshes"].push_back({{"name", name + " mesh"}, {"primitives", {primitive}}});
+    json["meshes"].push_back({{"name", name + " mesh"}, {"primitives", nlohmann::json::array({primitive})}});
     return add_node({{"name", name}, {"mesh", json["meshes"].size() - 1}});
 }
 

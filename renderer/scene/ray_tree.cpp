@@ -1,0 +1,135 @@
+#include "scene/ray_tree.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace brewster {
+namespace {
+
+static_assert(RTC_INVALID_GEOMETRY_ID == no_chart);
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseTree {
+    void operator()(RTCScene tree) const { rtcReleaseScene(tree); }
+};
+
+// A context whose filter rejects hits on one plane.
+struct PastContext {
+    RTCIntersectContext base;
+    const std::vector<std::uint32_t>* planes;
+    std::uint32_t plane;
+};
+
+void reject_plane(const RTCFilterFunctionNArguments* arguments) {
+    const auto& context = *reinterpret_cast<const PastContext*>(arguments->context);
+    for (unsigned i = 0; i < arguments->N; ++i) {
+        const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
+        if (arguments->valid[i] && (*context.planes)[triangle] == context.plane) arguments->valid[i] = 0;
+    }
+}
+
+TriangleHit trace_one(RTCScene tree, RTCIntersectContext& context, const Ray& ray) {
+    RTCRayHit query{};
+    query.ray.org_x = ray.origin.x;
+    query.ray.org_y = ray.origin.y;
+    query.ray.org_z = ray.origin.z;
+    query.ray.dir_x = ray.direction.x;
+    query.ray.dir_y = ray.direction.y;
+    query.ray.dir_z = ray.direction.z;
+    query.ray.tfar = INFINITY;
+    query.ray.mask = 0xffffffffu;
+    query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(tree, &context, &query);
+    return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+}
+
+// Up to eight rays; lanes without one are switched off.
+void trace_eight(RTCScene tree, RTCIntersectContext& context, std::span<const Ray> rays, TriangleHit* hits) {
+    alignas(32) int valid[8];
+    RTCRayHit8 query;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Ray& ray = rays[std::min(i, rays.size() - 1)];
+        valid[i] = i < rays.size() ? -1 : 0;
+        query.ray.org_x[i] = ray.origin.x;
+        query.ray.org_y[i] = ray.origin.y;
+        query.ray.org_z[i] = ray.origin.z;
+        query.ray.dir_x[i] = ray.direction.x;
+        query.ray.dir_y[i] = ray.direction.y;
+        query.ray.dir_z[i] = ray.direction.z;
+        query.ray.tnear[i] = query.ray.time[i] = 0.0f;
+        query.ray.tfar[i] = INFINITY;
+        query.ray.mask[i] = 0xffffffffu;
+        query.ray.id[i] = query.ray.flags[i] = 0;
+        query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect8(valid, tree, &context, &query);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};
+}
+
+}  // namespace
+
+struct RayTree::Impl {
+    std::vector<std::uint32_t> planes;
+    std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;  // outlives the tree
+    std::unique_ptr<RTCSceneTy, ReleaseTree> tree;
+};
+
+RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(std::make_unique<Impl>()) {
+    impl_->planes = std::move(planes);
+    impl_->device.reset(rtcNewDevice("isa=avx2,threads=1,verbose=0"));
+    const RTCDevice device = impl_->device.get();
+    if (!device) throw Error("Embree does not start", scene.name, "use a CPU with AVX2");
+    impl_->tree.reset(rtcNewScene(device));
+    const RTCScene tree = impl_->tree.get();
+    rtcSetSceneFlags(tree, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneBuildQuality(tree, RTC_BUILD_QUALITY_HIGH);
+
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    using Corners = decltype(Triangle::vertices);
+    auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), scene.vertices.size()));
+    auto* corners = static_cast<Corners*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                  sizeof(Corners), scene.triangles.size()));
+    if (vertices && corners) {
+        std::copy(scene.vertices.begin(), scene.vertices.end(), vertices);
+        for (const Triangle& triangle : scene.triangles) *corners++ = triangle.vertices;
+        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(tree, geometry);
+    }
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(tree);
+    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
+        throw Error("its ray tree fails with Embree's error " + std::to_string(error), scene.name,
+                    "simplify its meshes or free some memory");
+}
+
+RayTree::~RayTree() = default;
+
+void RayTree::trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    if (rays.size() == 1) {
+        hits[0] = trace_one(impl_->tree.get(), context, rays[0]);
+        return;
+    }
+    for (std::size_t first = 0; first < rays.size(); first += 8)
+        trace_eight(impl_->tree.get(), context, rays.subspan(first, std::min<std::size_t>(8, rays.size() - first)),
+                    &hits[first]);
+}
+
+TriangleHit RayTree::trace_past(const Ray& ray, std::uint32_t plane) const {
+    PastContext context{{}, &impl_->planes, plane};
+    rtcInitIntersectContext(&context.base);
+    context.base.filter = reject_plane;
+    return trace_one(impl_->tree.get(), context.base, ray);
+}
+
+}  // namespace brewster
