@@ -213,7 +213,7 @@ void Engine::Impl::conduct() {
                 done = true;
                 something_done.notify_all();
             }
-            work_to_do.wait(lock, [&] { return quit || run; });
+            work_to_do.wait(lock, [&] { return quit || run || !done; });
             continue;
         }
         open_batch();

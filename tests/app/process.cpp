@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
     redirect(output, STDOUT_FILENO);
     redirect(errors, STDERR_FILENO);
     if (setting.empty_environment) clearenv();
+    for (const std::string& name : setting.without) unsetenv(name.c_str());
     for (const auto& [name, value] : setting.environment) setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> words;
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));

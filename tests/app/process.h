@@ -13,6 +13,7 @@ struct ProcessResult {
 struct ProcessSetting {
     std::string folder;                              ///< where it runs; empty: here
     std::map<std::string, std::string> environment;  ///< added to ours
+    std::vector<std::string> without;                ///< names taken out of it
     bool empty_environment = false;                  ///< only `environment`
     int signal = 0;                                  ///< sent after signal_delay_ms, unless 0
     int signal_delay_ms = 0;

@@ -208,7 +208,7 @@ TEST(Program, WithoutADisplayPicturesAreWrittenAndSaid) {
     const std::string folder = fresh_folder();
     ProcessSetting setting;
     setting.folder = folder;
-    setting.empty_environment = true;
+    setting.without = {"DISPLAY"};
     const ProcessResult result = run_process({brewster_program(), "--photons", "2e4"}, setting);
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_NE(result.errors.find("DISPLAY"), std::string::npos) << result.errors;
