@@ -1,11 +1,13 @@
 #pragma once
 #include <immintrin.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <experimental/simd>
+#include <type_traits>
 
 /// The SIMD seam. A formula is written once as `template <class Real>` and used with Real = float, double and
 /// FloatLanes; the functions below are all it may use beside + - * /, comparisons, && || ! on masks and small integer
@@ -170,6 +172,26 @@ inline void store(double x, double* to) {
 }
 inline void store(FloatLanes x, float* to) {
     _mm256_storeu_ps(to, static_cast<__m256>(x));
+}
+
+/// Row `index` of a table, one row a lane; index is integral and inside the table.
+template <class Real, std::size_t columns>
+std::array<Real, columns> read_row(const std::array<float, columns>* table, const Real& index) {
+    std::array<Real, columns> row;
+    if constexpr (std::is_same_v<Real, FloatLanes>) {
+        std::array<float, lane_count> indices;
+        store(index, indices.data());
+        std::array<std::array<float, lane_count>, columns> transposed;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const std::array<float, columns>& from = table[static_cast<std::size_t>(indices[lane])];
+            for (std::size_t column = 0; column < columns; ++column) transposed[column][lane] = from[column];
+        }
+        for (std::size_t column = 0; column < columns; ++column) row[column] = load<Real>(transposed[column].data());
+    } else {
+        const std::array<float, columns>& from = table[static_cast<std::size_t>(index)];
+        for (std::size_t column = 0; column < columns; ++column) row[column] = from[column];
+    }
+    return row;
 }
 
 }  // namespace brewster

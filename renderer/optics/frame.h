@@ -79,7 +79,7 @@ Vector<Real> reflected(const Vector<Real>& direction, const Vector<Real>& normal
 /// T - (T.d)/(1 + N.d) (N + d). Unit and orthogonal to d, smooth wherever N.d > -1; the frame of tallied light.
 template <class Real>
 Vector<Real> transported_axis(const Vector<Real>& normal, const Vector<Real>& tangent, const Vector<Real>& direction) {
-    const Real scale = -dot(tangent, direction) / (1 + dot(normal, direction));
+    const Real scale = dot(-tangent, direction) / (1 + dot(normal, direction));
     return add_scaled(scale, normal + direction, tangent);
 }
 

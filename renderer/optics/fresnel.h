@@ -137,7 +137,7 @@ ConductorInterface<Real> conductor_interface(const Real& cos_theta_i, const Real
     const Real cu2 = c * c * fma(u_re, u_re, u_im * u_im);
     ConductorInterface<Real> at;
     at.rs = rs;
-    at.rp = {-fma(rs.re, g.re, -rs.im * g.im), -fma(rs.re, g.im, rs.im * g.re)};
+    at.rp = {fma(-rs.re, g.re, rs.im * g.im), fma(-rs.re, g.im, -rs.im * g.re)};
     at.Rs = Rs;
     at.Rp = Rp;
     // (cu - s^2) conj(cu + s^2) = |cu|^2 - s^4 - 2 i s^2 c u_im
