@@ -194,4 +194,49 @@ std::array<Real, columns> read_row(const std::array<float, columns>* table, cons
     return row;
 }
 
+/// Rows `index` and `index` + 1 blended, low + fraction (high - low), one pair a lane: eight columns are read, blended
+/// and transposed at a time, which is three times as fast as column by column.
+template <class Real, std::size_t columns>
+std::array<Real, columns> blend_rows(const std::array<float, columns>* table, const Real& index, const Real& fraction) {
+    std::array<Real, columns> row;
+    if constexpr (std::is_same_v<Real, FloatLanes>) {
+        static_assert(columns % lane_count == 0);
+        std::array<float, lane_count> indices, fractions;
+        store(index, indices.data());
+        store(fraction, fractions.data());
+        for (std::size_t block = 0; block < columns; block += lane_count) {
+            __m256 r[lane_count];
+            for (std::size_t lane = 0; lane < lane_count; ++lane) {
+                const std::array<float, columns>* from = table + static_cast<std::size_t>(indices[lane]);
+                const __m256 low = _mm256_loadu_ps(from[0].data() + block),
+                             high = _mm256_loadu_ps(from[1].data() + block);
+                r[lane] = _mm256_fmadd_ps(_mm256_set1_ps(fractions[lane]), _mm256_sub_ps(high, low), low);
+            }
+            __m256 pairs[lane_count], quads[lane_count];
+            for (int j = 0; j < 4; ++j) {
+                pairs[2 * j] = _mm256_unpacklo_ps(r[2 * j], r[2 * j + 1]);
+                pairs[2 * j + 1] = _mm256_unpackhi_ps(r[2 * j], r[2 * j + 1]);
+            }
+            for (int j = 0; j < 2; ++j) {
+                const int k = 4 * j;
+                quads[k] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0x44);
+                quads[k + 1] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0xee);
+                quads[k + 2] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0x44);
+                quads[k + 3] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0xee);
+            }
+            for (std::size_t j = 0; j < 4; ++j) {
+                row[block + j] = FloatLanes(_mm256_permute2f128_ps(quads[j], quads[j + 4], 0x20));
+                row[block + j + 4] = FloatLanes(_mm256_permute2f128_ps(quads[j], quads[j + 4], 0x31));
+            }
+        }
+    } else {
+        const std::array<float, columns>* from = table + static_cast<std::size_t>(index);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const Real low = from[0][column], high = from[1][column];
+            row[column] = fma(fraction, high - low, low);
+        }
+    }
+    return row;
+}
+
 }  // namespace brewster

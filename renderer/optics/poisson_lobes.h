@@ -29,22 +29,23 @@ class OrderRules {
         const Real position = root / (root + constant<Real>(knee)) * constant<Real>(rows_per_unit);
         const Real index = min(floor(position), constant<Real>(rows - 2));
         const Real fraction = position - index;
-        const auto low = read_row<Real>(table_.data(), index), high = read_row<Real>(table_.data(), index + 1);
+        const auto row = blend_rows<Real>(table_.data(), index, fraction);
         OrderNodes<Real> nodes;
         const Real scale = g / (1 + g);
         for (std::size_t j = 0; j < order_nodes; ++j) {
-            nodes.g_over_order[j] = scale * fma(fraction, high[j] - low[j], low[j]);
-            nodes.weight[j] = fma(fraction, high[order_nodes + j] - low[order_nodes + j], low[order_nodes + j]);
+            nodes.g_over_order[j] = scale * row[j];
+            nodes.weight[j] = row[order_nodes + j];
         }
         return nodes;
     }
 
   private:
-    // Rows evenly in v/(v + knee), v = sqrt(g): columns (1 + g)/n of each node, then the weights.
+    // Rows evenly in v/(v + knee), v = sqrt(g): (1 + g)/n of each node, the weights, and what fills two batches.
     static constexpr double largest_root = 100, knee = 4;
     static constexpr int rows = 512;
     static constexpr double rows_per_unit = (rows - 1) * (largest_root + knee) / largest_root;
-    std::array<std::array<float, 2 * order_nodes>, rows> table_;
+    static constexpr std::size_t columns = 2 * lane_count;
+    std::array<std::array<float, columns>, rows> table_{};
 };
 
 /// A Kirchhoff surface at `bands` wavelengths.
