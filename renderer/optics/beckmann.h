@@ -27,7 +27,8 @@ struct FacetSlopes {
 /// P(+) = (1 + |x|/h)/2; what the Gaussian puts at x < -h, and the excess Lambda of the total mass 1 + Lambda, goes to
 /// the rest of the tail, x exp(-x^2) on x > h, whose inverse is x^2 = h^2 - ln u.
 template <class Real>
-FacetSlopes<Real> sample_visible_slopes(const Real& h, const Real& u0, const Real& u1, const Real& u2) {
+[[gnu::always_inline]] inline FacetSlopes<Real> sample_visible_slopes(const Real& h, const Real& u0, const Real& u1,
+                                                                      const Real& u2) {
     const Real g1 = smith_g1(h);
     const Real tail = 1 - g1;  // Lambda / (1 + Lambda)
     const auto in_excess = u2 < tail;
@@ -58,9 +59,10 @@ struct FacetReflection {
 /// Draws a facet for a photon going along `plane`'s direction k that meets the mean surface `normal` with cosine
 /// plane.cos_theta_i: facet density G1(i) D (i.h)/cos_i, direction density G1(i) D/(4 cos_i).
 template <class Real>
-FacetReflection<Real> sample_facet(const Vector<Real>& direction, const Vector<Real>& normal,
-                                   const PlaneOfIncidence<Real>& plane, const Real& m, const Real& u0, const Real& u1,
-                                   const Real& u2) {
+[[gnu::always_inline]] inline FacetReflection<Real> sample_facet(const Vector<Real>& direction,
+                                                                 const Vector<Real>& normal,
+                                                                 const PlaneOfIncidence<Real>& plane, const Real& m,
+                                                                 const Real& u0, const Real& u1, const Real& u2) {
     const Real h = cotangent_over_slope(plane.cos_theta_i, m);
     const FacetSlopes<Real> slopes = sample_visible_slopes(h, u0, u1, u2);
     // Towards the source is s x N, across is s itself.

@@ -15,7 +15,8 @@ struct FrameRotation {
 
 /// The same light in the frame turned by t (thesis 3.26): S1' = cos 2t S1 + sin 2t S2, S2' = -sin 2t S1 + cos 2t S2.
 template <class Real, int components>
-Stokes<Real, components> rotate(const FrameRotation<Real>& turn, const Stokes<Real, components>& light) {
+[[gnu::always_inline]] inline Stokes<Real, components> rotate(const FrameRotation<Real>& turn,
+                                                              const Stokes<Real, components>& light) {
     if constexpr (components == 1) {
         return light;
     } else {
@@ -52,8 +53,9 @@ struct PlaneOfIncidence {
 /// well as s is, at every angle. Below sin theta = 1e-14 (1e-12 in float), where any axis is right, the carried one
 /// stays. The printed recipe, theta = acos(s_i.s_n) (thesis 7.60), loses the sign of sin 2t and half the digits.
 template <class Real>
-PlaneOfIncidence<Real> plane_of_incidence(const Vector<Real>& direction, const Vector<Real>& carried_axis,
-                                          const Vector<Real>& normal) {
+[[gnu::always_inline]] inline PlaneOfIncidence<Real> plane_of_incidence(const Vector<Real>& direction,
+                                                                        const Vector<Real>& carried_axis,
+                                                                        const Vector<Real>& normal) {
     const Vector<Real> p = cross(direction, carried_axis);
     const Real along_s = dot(normal, carried_axis);
     const Real along_p = dot(normal, p);
@@ -71,7 +73,7 @@ PlaneOfIncidence<Real> plane_of_incidence(const Vector<Real>& direction, const V
 
 /// k + 2 cos(theta) n: the mirrored direction.
 template <class Real>
-Vector<Real> reflected(const Vector<Real>& direction, const Vector<Real>& normal) {
+[[gnu::always_inline]] inline Vector<Real> reflected(const Vector<Real>& direction, const Vector<Real>& normal) {
     return unit_again(add_scaled(-2 * dot(direction, normal), normal, direction));
 }
 

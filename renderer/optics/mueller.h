@@ -45,7 +45,8 @@ struct InterfaceMueller {
 };
 
 template <class Real, int components>
-Stokes<Real, components> operator*(const InterfaceMueller<Real>& event, const Stokes<Real, components>& light) {
+[[gnu::always_inline]] inline Stokes<Real, components> operator*(const InterfaceMueller<Real>& event,
+                                                                 const Stokes<Real, components>& light) {
     if constexpr (components == 1) {
         return {{event.a * light.s0()}};
     } else {

@@ -25,18 +25,10 @@ Vector<Real> add_scaled(const Real& scale, const Vector<Real>& a, const Vector<R
     return {fma(scale, a.x, b.x), fma(scale, a.y, b.y), fma(scale, a.z, b.z)};
 }
 
-/// a b - c d without cancellation: error below 1.5 units in the last place (Kahan; Jeannerod et al. 2013,
-/// doi:10.1090/S0025-5718-2013-02679-8).
+/// Error below two roundings of |a| |b|.
 template <class Real>
-Real difference_of_products(const Real& a, const Real& b, const Real& c, const Real& d) {
-    const Real cd = c * d;
-    return fma(a, b, -cd) + fma(-c, d, cd);
-}
-
-template <class Real>
-Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b) {
-    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-            difference_of_products(a.x, b.y, a.y, b.x)};
+[[gnu::always_inline]] inline Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b) {
+    return {fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x))};
 }
 
 /// a of any non-zero length, made unit.
@@ -47,7 +39,7 @@ Vector<Real> normalized(const Vector<Real>& a) {
 
 /// a of length 1 + e made of length 1 + O(e^2): keeps long chains of events from drifting.
 template <class Real>
-Vector<Real> unit_again(const Vector<Real>& a) {
+[[gnu::always_inline]] inline Vector<Real> unit_again(const Vector<Real>& a) {
     return fma(constant<Real>(-0.5), dot(a, a), constant<Real>(1.5)) * a;
 }
 
