@@ -99,14 +99,6 @@ struct ConductorInterface {
     InterfaceMueller<Real> reflection;
 };
 
-/// sqrt(x^2 + y^2) without overflow or underflow of the squares.
-template <class Real>
-Real hypotenuse(const Real& x, const Real& y) {
-    const Real large = max(abs(x), abs(y)), small = min(abs(x), abs(y));
-    const Real ratio = small / select(large > 0, large, Real(1));
-    return large * sqrt(fma(ratio, ratio, Real(1)));
-}
-
 /// Relative index n - i k under exp(+i w t), n > 0, k >= 0 both relative to the incident medium, at most 1e3.
 /// The same formulas as for a dielectric with a complex u = sqrt(N^2 - s^2) (Born and Wolf 14.2, conjugated).
 /// Double: Rs, Rp to a relative 1e-12, amplitudes and matrix elements to 2e-15.
@@ -120,21 +112,24 @@ template <class Real>
     const Twofold<Real> c2 = two_product(c, c);
     const Real x = fma(-k, k, sum_minus_one(two_product(n, n), c2).hi);  // Re N^2 - s^2
     const Real nk = n * k;
-    const Real h = hypotenuse(x, 2 * nk);
+    const Real h = sqrt(fma(x, x, 4 * nk * nk));
     const Real major = sqrt(half * (h + abs(x)));
     const Real minor = nk / select(major > 0, major, Real(1));
     const Real u_re = select(x < 0, minor, major), u_im = select(x < 0, major, minor);  // u = u_re - i u_im
 
     // rs = (1 - N^2)/(c + u)^2
     const Real w_re = fma(k, k, (1 - n) * (1 + n)), w_im = 2 * nk;
-    const Real a_re = c + u_re, a_im = u_im;  // c + u = a_re - i a_im
-    const Real inv_a2 = 1 / max(fma(a_re, a_re, a_im * a_im), constant<Real>(1e-37));
+    const Real a_re = c + u_re, a_im = u_im;              // c + u = a_re - i a_im
+    const Real b_re = fma(c, u_re, s2), b_im = c * u_im;  // cu + s^2 = b_re - i b_im
+    // Both vanish only where there is no interface, n = 1, k = 0, at grazing incidence.
+    const Real a2 = max(fma(a_re, a_re, a_im * a_im), constant<Real>(1e-18));
+    const Real b2 = max(fma(b_re, b_re, b_im * b_im), constant<Real>(1e-18));
+    const Real inv = 1 / (a2 * b2);
+    const Real inv_a2 = inv * b2, inv_b2 = inv * a2;
     const Real inv_re = (a_re - a_im) * (a_re + a_im) * inv_a2, inv_im = 2 * a_re * a_im * inv_a2;
     const Complex<Real> rs{fma(w_re, inv_re, -w_im * inv_im) * inv_a2, fma(w_re, inv_im, w_im * inv_re) * inv_a2};
 
     // rp = -rs g, g = (cu - s^2)/(cu + s^2) = (c^2 N^2 - s^2)/(cu + s^2)^2
-    const Real b_re = fma(c, u_re, s2), b_im = c * u_im;  // cu + s^2 = b_re - i b_im
-    const Real inv_b2 = 1 / max(fma(b_re, b_re, b_im * b_im), constant<Real>(1e-37));
     const Real ck = c * k;
     const Real f_re = fma(-ck, ck, sum_minus_one(square(two_product(c, n)), c2).hi), f_im = -2 * (c * c) * nk;
     const Real q_re = (b_re - b_im) * (b_re + b_im) * inv_b2, q_im = 2 * b_re * b_im * inv_b2;

@@ -65,12 +65,12 @@ DirectionalAlbedo directional_albedo(double cos_theta, double n, double k, doubl
 RoughInterface::RoughInterface(double n, double m) : n_(n) {
     for (int row = 0; row < rows; ++row) {
         const double x = static_cast<double>(row) / (rows - 1);
-        // At grazing incidence G1 = 0 and 1 + x/h grows without bound; their product has the limit taken at 1e-4.
-        const DirectionalAlbedo albedo = directional_albedo(std::max(x * x, 1e-4), n, 0, m, 2);
+        // At grazing incidence G1 = 0 and 1 + x/h grows without bound; their product has the limit taken at 1e-6.
+        const DirectionalAlbedo albedo = directional_albedo(std::max(x * x, 1e-6), n, 0, m, 2);
         table_[static_cast<std::size_t>(row)] = {static_cast<float>(1 - albedo.unpolarized),
                                                  static_cast<float>(-albedo.s_minus_p)};
     }
-    // Exact for the table: 1 - E is linear in x = sqrt(cos) within a row, and 2 cos dcos = 4 x^3 dx.
+    // Exact for the table: 1 - E is cubic in x = sqrt(cos) within a row, and 2 cos dcos = 4 x^3 dx.
     double passed = 0;
     for (int row = 0; row + 1 < rows; ++row)
         integrate(static_cast<double>(row) / (rows - 1), static_cast<double>(row + 1) / (rows - 1), 1,

@@ -9,12 +9,12 @@
 
 namespace brewster {
 
-/// Sanitizer builds are ten times slower and look for other faults: they run a tenth of the cases.
+/// Sanitizer builds are ten times slower and look for other faults: they run a fifth of the cases.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr int light_test_scale = 20;
+inline constexpr int light_test_scale = 5;
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-inline constexpr int light_test_scale = 20;
+inline constexpr int light_test_scale = 5;
 #else
 inline constexpr int light_test_scale = 1;
 #endif

@@ -63,7 +63,8 @@ TEST(ThesisSampler, BiasReference) {
             return std::sqrt(std::max(squares[j] / draws - mean(j) * mean(j), 0.0) / draws);
         };
         const auto compare = [&](const char* column, double value, double standard_error) {
-            const double z = std::abs(value - table(row, column)) / (standard_error + 2e-6);  // per cent
+            const double z = std::abs(value - table(row, column)) /
+                             (standard_error + 1e-5);  // per cent; the floor is for rows whose tail no draw meets
             beyond_three += z > 3;
             ++compared;
             EXPECT_LE(z, 4) << column << " row " << row;
