@@ -46,7 +46,7 @@ SineCosine<Real> sincos_turns(Real turns) {
 
 /// e^x. Float: relative error below 1.2e-7 where the result is normal; 0 below -87.33, e^88.37 above 88.37.
 template <class Real>
-Real exp_of(Real x) {
+[[gnu::always_inline]] inline Real exp_of(Real x) {
     if constexpr (std::is_same_v<Real, double>) {
         return std::exp(x);
     } else {
@@ -93,7 +93,7 @@ Real log_of(Real x) {
 /// e^(x^2) erfc(x), the scaled complementary error function, x >= 0 (not for double).
 /// Float: relative error below 4e-7. Chebyshev interpolation of erfcx(x)/t in t = 1/(1 + 0.4 x), degree 10.
 template <class Real>
-Real erfcx(Real x) {
+[[gnu::always_inline]] inline Real erfcx(Real x) {
     static_assert(!std::is_same_v<Real, double>);
     const Real t = 1 / fma(constant<Real>(0.4), x, Real(1));
     const Real u = fma(t, Real(2), Real(-1));

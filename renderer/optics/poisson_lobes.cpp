@@ -94,7 +94,7 @@ OrderRules::OrderRules() {
         double sum = 0;
         for (std::size_t j = 0; j < order_nodes; ++j) sum += rule[j][1];
         for (std::size_t j = 0; j < order_nodes; ++j) {
-            table_[static_cast<std::size_t>(row)][j] = static_cast<float>((1 + g) * rule[j][0]);
+            table_[static_cast<std::size_t>(row)][j] = static_cast<float>(std::sqrt((1 + g) * rule[j][0]));
             table_[static_cast<std::size_t>(row)][order_nodes + j] = static_cast<float>(rule[j][1] / sum);
         }
     }

@@ -13,7 +13,7 @@ inline constexpr std::size_t order_nodes = 5;
 /// The orders n >= 1 by a few nodes with weights that add up to 1, as g/n.
 template <class Real>
 struct OrderNodes {
-    std::array<Real, order_nodes> g_over_order, weight;
+    std::array<Real, order_nodes> root, weight;
 };
 
 /// Gauss rules of the Poisson law given n >= 1, in the variable 1/n, which the lobes are smooth in: five nodes stay
@@ -31,16 +31,16 @@ class OrderRules {
         const Real fraction = position - index;
         const auto row = blend_rows<Real>(table_.data(), index, fraction);
         OrderNodes<Real> nodes;
-        const Real scale = g / (1 + g);
+        const Real scale = sqrt(g / (1 + g));
         for (std::size_t j = 0; j < order_nodes; ++j) {
-            nodes.g_over_order[j] = scale * row[j];
+            nodes.root[j] = scale * row[j];
             nodes.weight[j] = row[order_nodes + j];
         }
         return nodes;
     }
 
   private:
-    // Rows evenly in v/(v + knee), v = sqrt(g): (1 + g)/n of each node, the weights, and what fills two batches.
+    // Rows evenly in v/(v + knee), v = sqrt(g): sqrt((1 + g)/n) of each node, the weights, and what fills two batches.
     static constexpr double largest_root = 100, knee = 4;
     static constexpr int rows = 512;
     static constexpr double rows_per_unit = (rows - 1) * (largest_root + knee) / largest_root;
@@ -69,7 +69,7 @@ OrderSums<Real> sum_orders(const OrderNodes<Real>& nodes, const Real& g, const R
                            const Real& tan2, const Real& scale) {
     OrderSums<Real> sum{Real(0), Real(0)};
     for (std::size_t j = 0; j < order_nodes; ++j) {
-        const Real ratio = nodes.g_over_order[j], root = sqrt(ratio);
+        const Real root = nodes.root[j], ratio = root * root;
         const Real seen = nodes.weight[j] * ratio * exp(-tan2 * ratio) * smith_g1(h_i * root);
         sum.density = sum.density + seen;
         sum.value = fma(seen, smith_g1(h_r * root), sum.value);
@@ -147,13 +147,13 @@ Real sample_slope(const OrderRules& rules, const KirchhoffSurface<Real, bands>& 
     const Real g = (phase * cos_i) * (phase * cos_i);
     const Real mirror = exp(-g), rest = scaled - band - mirror;
     const OrderNodes<Real> nodes = rules.at(g);
-    Real ratio = nodes.g_over_order[0], below = nodes.weight[0];
+    Real root = nodes.root[0], below = nodes.weight[0];
     const Real diffuse = one_minus_exp(g);
     for (std::size_t j = 1; j < order_nodes; ++j) {
-        ratio = select(rest > below * diffuse, nodes.g_over_order[j], ratio);
+        root = select(rest > below * diffuse, nodes.root[j], root);
         below = below + nodes.weight[j];
     }
-    return select(rest < 0, Real(0), surface.m / sqrt(max(ratio, constant<Real>(1e-20))));
+    return select(rest < 0, Real(0), surface.m / max(root, constant<Real>(1e-10)));
 }
 
 }  // namespace brewster

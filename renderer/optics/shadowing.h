@@ -17,7 +17,7 @@ Real cotangent_over_slope(const Real& cos_theta, const Real& m) {
 
 /// h Lambda(h), finite at h = 0 (not for double).
 template <class Real>
-Real smith_lambda_times_h(const Real& h) {
+[[gnu::always_inline]] inline Real smith_lambda_times_h(const Real& h) {
     const Real bounded = min(h, Real(10));
     const Real rest = 1 - constant<Real>(1.7724538509055160) * bounded * erfcx(bounded);
     return exp(-bounded * bounded) * max(rest, Real(0)) * constant<Real>(0.28209479177387814);
@@ -39,7 +39,7 @@ Real smith_lambda(const Real& h) {
 /// G1 = 1/(1 + Lambda): the share of facets facing the ray that it reaches; 0 at grazing incidence, 1 at the normal.
 /// What belongs with a facet that reflects i into r, for it faces both (Walter et al. 2007; Heitz 2014).
 template <class Real>
-Real smith_g1(const Real& h) {
+[[gnu::always_inline]] inline Real smith_g1(const Real& h) {
     if constexpr (std::is_same_v<Real, double>)
         return 1 / (1 + smith_lambda(h));
     else

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "chi_square.h"
+#include "direction_histogram.h"
 #include "hemisphere_integral.h"
 #include "optics/materials.h"
 #include "optics/rough_interface.h"
