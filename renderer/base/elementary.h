@@ -211,7 +211,7 @@ inline FloatLanes acos(FloatLanes x) {
     return acos_of(x);
 }
 
-/// 1 - e^-x for x >= 0, without cancellation. Float: relative error below 2e-7.
+/// 1 - e^-x for x >= 0, without cancellation. Float: relative error below 4e-7.
 template <class Real>
 Real one_minus_exp(Real x) {
     if constexpr (std::is_same_v<Real, double>) {
