@@ -27,7 +27,8 @@ std::string progress_line(const Progress& progress, const StopRule& rule) {
     line += with_magnitude(static_cast<double>(progress.photons)) + " photons, ";
     line += with_magnitude(progress.photons_per_second()) + " a second";
     // Without a target the engine publishes rarely, and the newest error may be an old one.
-    if (rule.target_error && progress.relative_error > 0) line += ", error " + significant(100 * progress.relative_error) + " %";
+    if (rule.target_error && progress.relative_error > 0)
+        line += ", error " + significant(100 * progress.relative_error) + " %";
     return line;
 }
 

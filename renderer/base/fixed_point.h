@@ -12,10 +12,16 @@ __extension__ using Wide = __int128;
 inline constexpr double quanta_per_weight = 0x1p30;
 
 /// Rounds a weight to quanta, ties to even. |weight| must stay below 2^32.
-inline Quanta to_quanta(float weight) { return std::llrint(static_cast<double>(weight) * quanta_per_weight); }
-inline Quanta to_quanta(double weight) { return std::llrint(weight * quanta_per_weight); }
+inline Quanta to_quanta(float weight) {
+    return std::llrint(static_cast<double>(weight) * quanta_per_weight);
+}
+inline Quanta to_quanta(double weight) {
+    return std::llrint(weight * quanta_per_weight);
+}
 
 /// Back to a weight; exact up to 2^53 quanta, correctly rounded above.
-inline double to_weight(Wide quanta) { return static_cast<double>(quanta) / quanta_per_weight; }
+inline double to_weight(Wide quanta) {
+    return static_cast<double>(quanta) / quanta_per_weight;
+}
 
 }  // namespace brewster

@@ -18,6 +18,8 @@ inline std::array<std::uint32_t, 4> philox(std::uint64_t seed, std::uint64_t pho
 }
 
 /// The upper 24 bits of a word as a float in [0, 1): every value exact, 1 never reached.
-inline float unit_float(std::uint32_t word) { return static_cast<float>(word >> 8) * 0x1p-24f; }
+inline float unit_float(std::uint32_t word) {
+    return static_cast<float>(word >> 8) * 0x1p-24f;
+}
 
 }  // namespace brewster

@@ -80,8 +80,8 @@ std::uint32_t permute_upwards(std::uint32_t x, std::uint32_t key) {
 std::uint32_t sobol_owen(std::uint32_t index, unsigned dimension, std::uint32_t scramble) {
     static const ByteTables tables = byte_tables();
     const auto& table = tables[dimension];
-    const std::uint32_t point = table[0][index & 255u] ^ table[1][(index >> 8) & 255u] ^
-                                table[2][(index >> 16) & 255u] ^ table[3][index >> 24];
+    const std::uint32_t point =
+        table[0][index & 255u] ^ table[1][(index >> 8) & 255u] ^ table[2][(index >> 16) & 255u] ^ table[3][index >> 24];
     return reverse_bits(permute_upwards(reverse_bits(point), scramble));
 }
 

@@ -53,8 +53,8 @@ class Joints {
         return {along(v.x, box.low[0], box.high[0]), along(v.y, box.low[1], box.high[1])};
     }
 
-    // Light on a plane jumps where something touches it or hides a small lamp, and there by a lot; elsewhere fits differ
-    // at a corner by noise and by the curvature that a linear fit misses, which is about as large.
+    // Light on a plane jumps where something touches it or hides a small lamp, and there by a lot; elsewhere fits
+    // differ at a corner by noise and by the curvature that a linear fit misses, which is about as large.
     bool agree(std::uint32_t a, std::uint32_t b, const Vertex& v) const {
         constexpr double deviations = 7, slight = 0.3;
         if (a == b) return true;
@@ -151,8 +151,8 @@ class Joints {
     std::uint32_t unknown_count_ = 0;
 };
 
-/// One cell's part of the least-squares problem: the corners' hat functions (1 + s x)(1 + t y) / 4 against each other and
-/// against the linear fit, integrated over the surface.
+/// One cell's part of the least-squares problem: the corners' hat functions (1 + s x)(1 + t y) / 4 against each other
+/// and against the linear fit, integrated over the surface.
 struct Element {
     std::array<std::array<double, 4>, 4> mass{};
     std::array<glm::dvec3, 4> load{};
@@ -200,8 +200,8 @@ glm::dvec3 dot(const Values& a, const Values& b) {
     return sum;
 }
 
-/// Conjugate gradients on the mass matrix, all bands at once, scaled by its diagonal. A mass matrix is well conditioned:
-/// a dozen steps reach the tolerance.
+/// Conjugate gradients on the mass matrix, all bands at once, scaled by its diagonal. A mass matrix is well
+/// conditioned: a dozen steps reach the tolerance.
 class Projection {
   public:
     Projection(std::span<const PublishedLeaf> leaves, const Joints& joints) : leaves_(leaves), joints_(joints) {
@@ -271,7 +271,8 @@ class Projection {
 
 void keep_own_corners(std::span<PublishedLeaf> leaves) {
     for (PublishedLeaf& leaf : leaves)
-        for (std::size_t corner = 0; corner < 4; ++corner) leaf.corners[corner] = leaf.linear(corner_coordinates[corner]);
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            leaf.corners[corner] = leaf.linear(corner_coordinates[corner]);
 }
 
 void join_corners(std::span<PublishedLeaf> leaves,

@@ -5,8 +5,8 @@
 
 namespace brewster {
 
-/// Least squares on a cell whose surface has the given moments. For a density f on the surface with sums W = integral f,
-/// M = integral f x, the best linear function is (W / A)(1 + slope . (x - mean)) with slope = C^-1 (M - W mean) / W.
+/// Least squares on a cell whose surface has the given moments. For a density f on the surface with sums W = integral
+/// f, M = integral f x, the best linear function is (W / A)(1 + slope . (x - mean)) with slope = C^-1 (M - W mean) / W.
 class LinearFit {
   public:
     explicit LinearFit(const CellGeometry& geometry) : geometry_(&geometry) {

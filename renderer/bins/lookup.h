@@ -14,8 +14,12 @@ using glm::clamp, glm::max, glm::min;
 using glm::uvec2, glm::vec3, glm::vec4;
 using uint = std::uint32_t;
 
-inline uvec2 fetch_node(const Snapshot& bins, uint index) { return bins.nodes[index]; }
-inline vec4 fetch_leaf_texel(const Snapshot& bins, uint index) { return bins.leaves[index]; }
+inline uvec2 fetch_node(const Snapshot& bins, uint index) {
+    return bins.nodes[index];
+}
+inline vec4 fetch_leaf_texel(const Snapshot& bins, uint index) {
+    return bins.leaves[index];
+}
 
 #define BREWSTER_FUNCTION inline
 #define BREWSTER_BINS_PARAMETER const Snapshot &bins,

@@ -99,7 +99,8 @@ std::vector<std::uint32_t> triangles_in(const Outline& outline, const Box<2>& bo
 }
 
 CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<const std::uint32_t> triangles) {
-    const double box_area = outline.size.x * outline.size.y * (static_cast<double>(box.high[0] - box.low[0]) / BREWSTER_UV_ONE) *
+    const double box_area = outline.size.x * outline.size.y *
+                            (static_cast<double>(box.high[0] - box.low[0]) / BREWSTER_UV_ONE) *
                             (static_cast<double>(box.high[1] - box.low[1]) / BREWSTER_UV_ONE);
     double area = 0;  // in cell coordinates, where the box has 4
     Point first(0), sign(0);
@@ -116,8 +117,8 @@ CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<
         }
         for (const double sx : {-1.0, 1.0}) {
             for (const double sy : {-1.0, 1.0}) {
-                const Polygon quadrant =
-                    clip(whole, Point(std::min(sx, 0.0), std::min(sy, 0.0)), Point(std::max(sx, 0.0), std::max(sy, 0.0)));
+                const Polygon quadrant = clip(whole, Point(std::min(sx, 0.0), std::min(sy, 0.0)),
+                                              Point(std::max(sx, 0.0), std::max(sy, 0.0)));
                 integrate(quadrant, [&](const Point& p, double weight) {
                     area += weight;
                     first += weight * p;

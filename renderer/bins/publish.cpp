@@ -5,7 +5,9 @@
 #include <span>
 
 #include "base/check.h"
+#include "bins/error_estimate.h"
 #include "bins/joined_corners.h"
+#include "bins/light_sums.h"
 #include "bins/linear_fit.h"
 #include "bins/lookup.h"
 #include "shared/bin_layout.h"
@@ -16,80 +18,6 @@ namespace {
 using Layout = RecordLayout<2>;
 
 constexpr std::size_t looked_below = 5;  // levels of the tally tree under a published leaf that its error bar asks
-
-/// Sums of one light in one cell over all that landed in it since its birth, its children's included.
-struct LightSums {
-    std::array<double, band_count> weight{}, squares{};
-    std::array<std::array<double, 2>, band_count> moments{};
-
-    bool any() const { return weight[0] > 0 || weight[1] > 0 || weight[2] > 0; }
-};
-
-LightSums read_sums(const std::array<Wide, Layout::estimate_size>& own, const Quanta* pending, int light) {
-    LightSums sums;
-    for (int band = 0; band < band_count; ++band) {
-        const auto b = static_cast<std::size_t>(band);
-        const auto row = static_cast<std::size_t>((light * band_count + band) * Layout::estimate_stride);
-        const auto value = [&](std::size_t i) { return to_weight(own[row + i] + (pending ? pending[row + i] : 0)); };
-        sums.weight[b] = value(0);
-        sums.moments[b] = {value(1), value(2)};
-        sums.squares[b] = value(3);
-    }
-    return sums;
-}
-
-// Adds a child's sums, its cell coordinates turned into the parent's.
-void add_child(LightSums& parent, const Box<2>& parent_box, const LightSums& child, const Box<2>& child_box) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double size = static_cast<double>(parent_box.high[axis] - parent_box.low[axis]);
-        const double scale = static_cast<double>(child_box.high[axis] - child_box.low[axis]) / size;
-        const double shift = (static_cast<double>(child_box.low[axis]) + static_cast<double>(child_box.high[axis]) -
-                              static_cast<double>(parent_box.low[axis]) - static_cast<double>(parent_box.high[axis])) /
-                             size;
-        for (std::size_t b = 0; b < band_count; ++b)
-            parent.moments[b][axis] += scale * child.moments[b][axis] + shift * child.weight[b];
-    }
-    for (std::size_t b = 0; b < band_count; ++b) {
-        parent.weight[b] += child.weight[b];
-        parent.squares[b] += child.squares[b];
-    }
-}
-
-// Spread of the replicas over sum w^2 of one cell: 1 for independent photons that deposit once.
-struct Spread {
-    std::array<double, replica_count> replicas{};
-    double squares = 0;
-
-    void add(const Spread& other) {
-        for (std::size_t r = 0; r < replicas.size(); ++r) replicas[r] += other.replicas[r];
-        squares += other.squares;
-    }
-    double variance() const {
-        double mean = 0, sum = 0;
-        for (const double r : replicas) mean += r / replica_count;
-        for (const double r : replicas) sum += (r - mean) * (r - mean);
-        return sum * replica_count / (replica_count - 1.0);
-    }
-};
-
-/// Squared error of leaves over their noise. Pruning stops where structure drowns in noise, so about as much structure as
-/// noise is left under the leaves, another part with every seed. The tally tree knows how much: the details of the
-/// splits that were not published, less their noise.
-struct Excess {
-    double structure = 0, noise = 0;  ///< squared density x area, weighted by the bands' importance
-    double leaves = 0;
-
-    /// Few leaves know it badly (a leaf's own estimate has a standard deviation of 4.5), so a chart leans on its scene,
-    /// both lean on there being none, and only what stands out by half a standard deviation counts.
-    double inflation(const Excess& scene) const {
-        constexpr double deviation_of_one = 4.5, lean_on_scene = 64, lean_on_none = 16;
-        if (noise <= 0 || scene.noise <= 0) return 1;
-        const double lean = std::min(lean_on_scene, scene.leaves);
-        const double sum = leaves * structure / noise + lean * scene.structure / scene.noise;
-        const double chance = 0.5 * deviation_of_one * std::sqrt(leaves + lean);
-        return 1 + std::max(0.0, (sum - chance) / (leaves + lean + lean_on_none));
-    }
-};
 
 class Publisher {
   public:
@@ -140,22 +68,22 @@ class Publisher {
     const BinSettings& settings_;
     const double flux_per_weight_;
     Snapshot snapshot_;
-    std::vector<Spread> spreads_;         // per node
-    std::vector<LightSums> sums_;         // per node
-    std::vector<bool> keep_;              // per node: its split is published
+    std::vector<Spread> spreads_;  // per node
+    std::vector<LightSums> sums_;  // per node
+    std::vector<bool> keep_;       // per node: its split is published
     // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x area.
     std::vector<std::array<double, looked_below>> unresolved_;
     std::vector<std::array<double, band_count>> importance_;  // per chart
-    std::vector<double> chart_ratio_;     // per chart: pooled spread over sum w^2
-    std::vector<PublishedLeaf> leaves_;      // of the light at hand, chart after chart
-    std::vector<std::uint32_t> leaf_nodes_;  // beside them
+    std::vector<double> chart_ratio_;                         // per chart: pooled spread over sum w^2
+    std::vector<PublishedLeaf> leaves_;                       // of the light at hand, chart after chart
+    std::vector<std::uint32_t> leaf_nodes_;                   // beside them
     struct Place {
         std::uint32_t chart, u, v;
         double area;
     };
-    std::vector<Place> places_;           // the middles of the leaves of the indirect light
-    std::vector<std::size_t> chart_begin_;   // into leaves_, per chart and one more
-    std::uint32_t first_leaf_ = 0;           // the index of leaves_[0] in the snapshot
+    std::vector<Place> places_;             // the middles of the leaves of the indirect light
+    std::vector<std::size_t> chart_begin_;  // into leaves_, per chart and one more
+    std::uint32_t first_leaf_ = 0;          // the index of leaves_[0] in the snapshot
 };
 
 // Children stand behind their parents, so a walk from the back meets them first.
@@ -170,7 +98,8 @@ void Publisher::gather_spreads() {
             return to_weight(own[i] + (pending ? pending[i] : 0));
         };
         spread.squares = value(Layout::squares);
-        for (int r = 0; r < replica_count; ++r) spread.replicas[static_cast<std::size_t>(r)] = value(Layout::replicas + r);
+        for (int r = 0; r < replica_count; ++r)
+            spread.replicas[static_cast<std::size_t>(r)] = value(Layout::replicas + r);
         if (tree_.node(node).is_leaf()) continue;
         spread.add(spreads_[tree_.node(node).low_child()]);
         spread.add(spreads_[tree_.node(node).low_child() + 1]);
@@ -303,8 +232,7 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
             // Nothing landed here: not known better than one photon of the chart's mean weight.
             const LightSums& chart = sums_[cell.chart];
             const double one = chart.weight[b] > 0 ? chart.squares[b] / chart.weight[b] : 0;
-            leaf.standard_error[band] =
-                age(node) > 0 ? flux_per_weight_ * one / (age(node) * cell.geometry.area) : 0;
+            leaf.standard_error[band] = age(node) > 0 ? flux_per_weight_ * one / (age(node) * cell.geometry.area) : 0;
         }
     }
     return leaf;
@@ -330,8 +258,8 @@ void Publisher::collect_leaves(std::uint32_t node, std::uint32_t slot, const glm
         const double together = sums_[low].weight[b] + sums_[low + 1].weight[b];
         const double areas = tree_.cell(low).geometry.area + tree_.cell(low + 1).geometry.area;
         for (const std::uint32_t side : {0u, 1u}) {
-            shares[side][band] = together > 0 ? sums_[low + side].weight[b] / together
-                                              : tree_.cell(low + side).geometry.area / areas;
+            shares[side][band] =
+                together > 0 ? sums_[low + side].weight[b] / together : tree_.cell(low + side).geometry.area / areas;
         }
     }
     for (const std::uint32_t side : {0u, 1u}) collect_leaves(low + side, child_slot + side, weight * shares[side]);
@@ -399,7 +327,9 @@ void Publisher::write_leaves(int light) {
                                               corner < 3 ? static_cast<float>(error[corner]) : 0.0f);
             }
             if (light == 0) continue;
-            const auto middle = [&](std::size_t a) { return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2; };
+            const auto middle = [&](std::size_t a) {
+                return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2;
+            };
             places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
         }
     }

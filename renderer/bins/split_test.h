@@ -21,12 +21,13 @@ struct SplitChoice {
     double power = 0;      ///< sum of weights
 };
 
-/// Looks for what a linear cell cannot show: second Legendre moments, steps at the middle that a slope does not explain,
-/// interactions of two axes (their per-axis projections may be flat). Under a uniform density the second moment has
-/// variance V/5, the step V/4, the interaction V, with V = sum w^2. Nothing if the leaf has too few photons or no test
-/// passes settings.split_z_squared.
+/// Looks for what a linear cell cannot show: second Legendre moments, steps at the middle that a slope does not
+/// explain, interactions of two axes (their per-axis projections may be flat). Under a uniform density the second
+/// moment has variance V/5, the step V/4, the interaction V, with V = sum w^2. Nothing if the leaf has too few photons
+/// or no test passes settings.split_z_squared.
 template <int D>
-std::optional<SplitChoice> choose_split(const CellSums<D>& sums, const NullMoments<D>& null, const BinSettings& settings) {
+std::optional<SplitChoice> choose_split(const CellSums<D>& sums, const NullMoments<D>& null,
+                                        const BinSettings& settings) {
     using Layout = RecordLayout<D>;
     Wide total = 0;
     for (int r = 0; r < replica_count; ++r) total += sums.test[static_cast<std::size_t>(Layout::replicas + r)];

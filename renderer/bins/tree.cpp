@@ -43,7 +43,8 @@ NullMoments<D> null_moments(const CellGeometry& geometry) {
 
 // Half the nodes are leaves; a snapshot holds at most two nodes and two leaves of four texels for each of them.
 template <int D>
-constexpr std::size_t bytes_per_node = sizeof(TreeNode) + sizeof(Cell<D>) + sizeof(CellSums<D>) + sizeof(LeafFrame<D>) / 2 +
+constexpr std::size_t bytes_per_node = sizeof(TreeNode) + sizeof(Cell<D>) + sizeof(CellSums<D>) +
+                                       sizeof(LeafFrame<D>) / 2 +
                                        2 * (2 * sizeof(TreeNode) + BREWSTER_LEAF_TEXELS * 4 * sizeof(float));
 
 std::uint32_t fixed(double unit) {
@@ -81,7 +82,8 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) 
         return;
     }
     for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
-    // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell nothing.
+    // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell
+    // nothing.
     const double first_cells =
         std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node<D>));
     const std::size_t contact_nodes = nodes_.size();
@@ -160,7 +162,8 @@ void BinTree<D>::split_along_contacts(std::uint32_t chart) {
             if (std::abs(from[axis] - to[axis]) > parallel || std::abs(from[along] - to[along]) < least) continue;
             if (at < least || at > 1 - least) continue;
             ++lines;
-            cut(chart, axis, fixed(at), fixed(std::min(from[along], to[along])), fixed(std::max(from[along], to[along])));
+            cut(chart, axis, fixed(at), fixed(std::min(from[along], to[along])),
+                fixed(std::max(from[along], to[along])));
         }
     }
 }
@@ -245,7 +248,7 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
         return a.value != b.value ? a.value > b.value : a.node < b.node;
     });
     for (const Candidate& candidate : candidates) {
-        if (bytes() + 2 * bytes_per_node<D> > settings.memory_bytes) break;
+        if (bytes() + 2 * bytes_per_node < D >> settings.memory_bytes) break;
         split(candidate.node, candidate.axis, candidate.position, photons);
     }
 }

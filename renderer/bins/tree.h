@@ -86,9 +86,9 @@ class BinTree {
     void split_evenly(std::uint32_t index, int levels, const glm::dvec2& size);
 
     std::vector<Outline> outlines_;
-    std::vector<TreeNode> nodes_;   // the roots first, one a chart
-    std::vector<Cell<D>> cells_;    // beside nodes_
-    std::vector<CellSums<D>> sums_; // beside nodes_
+    std::vector<TreeNode> nodes_;    // the roots first, one a chart
+    std::vector<Cell<D>> cells_;     // beside nodes_
+    std::vector<CellSums<D>> sums_;  // beside nodes_
     std::vector<LeafFrame<D>> frames_;
     std::vector<std::uint32_t> node_of_leaf_;
 };

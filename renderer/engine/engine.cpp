@@ -27,10 +27,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 // On Linux a priority belongs to a thread.
-void yield_to_everybody() { setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 19); }
+void yield_to_everybody() {
+    setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 19);
+}
 
 }  // namespace
 
@@ -61,18 +65,18 @@ struct Engine::Impl {
 
     // Guarded by the mutex.
     BatchSequence batch;
-    std::uint64_t next_photon = 0;   // the first that no worker has taken
-    std::uint64_t limit = 0;         // workers take photons below this
-    unsigned busy = 0;               // workers inside a block
-    std::uint64_t hand_over = 0;     // a growing wish: hand over what you have
+    std::uint64_t next_photon = 0;           // the first that no worker has taken
+    std::uint64_t limit = 0;                 // workers take photons below this
+    unsigned busy = 0;                       // workers inside a block
+    std::uint64_t hand_over = 0;             // a growing wish: hand over what you have
     std::vector<std::uint64_t> handed_over;  // per worker: the wish it has met
-    WorkerSums sums;                 // of the running batch (bins) and of all (ledger, counts)
+    WorkerSums sums;                         // of the running batch (bins) and of all (ledger, counts)
     std::vector<std::uint64_t> photons_by_thread;
     StopRule rule;
-    bool run = false;        // the user wants photons
-    bool done = true;        // nothing left to do for this start
+    bool run = false;  // the user wants photons
+    bool done = true;  // nothing left to do for this start
     bool quit = false;
-    double seconds = 0;      // of tracing, before the present run
+    double seconds = 0;  // of tracing, before the present run
     Clock::time_point resumed;
     double first_snapshot_ms = 0;
     Clock::time_point first_start;
@@ -87,8 +91,12 @@ struct Engine::Impl {
 };
 
 Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& settings_in)
-    : scene(std::move(scene_in)), settings(settings_in), rays(*scene), emission(*scene, settings.seed),
-      tree(outlines_of(*scene), settings.bins), transport(*scene, rays, emission, tree, settings.seed) {
+    : scene(std::move(scene_in)),
+      settings(settings_in),
+      rays(*scene),
+      emission(*scene, settings.seed),
+      tree(outlines_of(*scene), settings.bins),
+      transport(*scene, rays, emission, tree, settings.seed) {
     if (!emission.any()) {
         throw Error("no lamp gives light", scene->name,
                     "add an emissive material or a light of KHR_lights_punctual to the file");
@@ -221,7 +229,8 @@ void Engine::Impl::conduct() {
         // A look now and then: the rule may hold by time, and a window wants pictures.
         something_done.wait_for(lock, std::chrono::milliseconds(5), [&] { return quit || !run || nothing_left(); });
         if (quit || !run) continue;
-        const bool wanted = settings.snapshot_seconds > 0 && seconds_since(last_publication) >= settings.snapshot_seconds;
+        const bool wanted =
+            settings.snapshot_seconds > 0 && seconds_since(last_publication) >= settings.snapshot_seconds;
         if (next_photon >= batch.end() && busy == 0) {
             collect(lock);
             tree.absorb(sums.bins);
@@ -280,7 +289,9 @@ void Engine::resume() {
     impl_->work_to_do.notify_all();
 }
 
-void Engine::stop() { pause(); }
+void Engine::stop() {
+    pause();
+}
 
 bool Engine::wait_for(double seconds) {
     std::unique_lock lock(impl_->mutex);
@@ -350,7 +361,11 @@ std::string Engine::digest() const {
     return digest.hexadecimal();
 }
 
-const Scene& Engine::scene() const { return *impl_->scene; }
-const EngineSettings& Engine::settings() const { return impl_->settings; }
+const Scene& Engine::scene() const {
+    return *impl_->scene;
+}
+const EngineSettings& Engine::settings() const {
+    return impl_->settings;
+}
 
 }  // namespace brewster

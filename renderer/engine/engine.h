@@ -14,9 +14,9 @@ namespace brewster {
 
 struct EngineSettings {
     std::uint64_t seed = 1;
-    unsigned threads = 0;           ///< 0: as many as the machine has
-    bool lowest_priority = false;   ///< beside a window: workers yield to it
-    double snapshot_seconds = 0;    ///< > 0: publish at least this often; otherwise only the first batches and the end
+    unsigned threads = 0;          ///< 0: as many as the machine has
+    bool lowest_priority = false;  ///< beside a window: workers yield to it
+    double snapshot_seconds = 0;   ///< > 0: publish at least this often; otherwise only the first batches and the end
     BinSettings bins;
 };
 
@@ -59,10 +59,10 @@ class Engine {
 
     /// Begins, or goes on after a stop, until `rule` holds; counts of the rule are totals since construction.
     void start(const StopRule& rule);
-    void pause();   ///< returns when every worker rests; what is traced is published
+    void pause();  ///< returns when every worker rests; what is traced is published
     void resume();
-    void stop();    ///< like pause, and `wait` returns
-    void wait();    ///< until the rule holds or stop() is called; throws the Error of a worker that failed
+    void stop();  ///< like pause, and `wait` returns
+    void wait();  ///< until the rule holds or stop() is called; throws the Error of a worker that failed
     bool wait_for(double seconds);  ///< true if done, otherwise after `seconds`
 
     /// The newest bins, or null before the first. Safe from any thread.

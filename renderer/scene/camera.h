@@ -13,7 +13,7 @@ struct Camera {
     glm::vec3 forward{0.0f, 0.0f, -1.0f};  ///< unit
     glm::vec3 up{0.0f, 1.0f, 0.0f};        ///< unit, orthogonal to forward
     float vertical_field_of_view = 0.8f;   ///< radians, the full angle of the picture's height
-    float aspect_ratio = 4.0f / 3.0f;       ///< width over height that the file wishes for; a picture may have another
+    float aspect_ratio = 4.0f / 3.0f;      ///< width over height that the file wishes for; a picture may have another
     float near_distance = 0.01f;           ///< metres
 
     glm::vec3 right() const;  ///< cross(forward, up)

@@ -123,7 +123,8 @@ RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(
 
 RayTree::~RayTree() = default;
 
-void RayTree::trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes, std::span<TriangleHit> hits) const {
+void RayTree::trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes,
+                    std::span<TriangleHit> hits) const {
     PastContext context(impl_->planes);
     if (rays.size() == 1) {
         hits[0] = trace_one(impl_->tree.get(), context, rays[0], planes[0]);

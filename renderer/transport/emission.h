@@ -27,7 +27,7 @@ class PhotonEmission {
 
     PhotonEmission(const Scene& scene, std::uint64_t seed);  ///< keeps a reference to the scene
 
-    bool any() const { return mean_power_ > 0; }              ///< false if no lamp has power
+    bool any() const { return mean_power_ > 0; }       ///< false if no lamp has power
     double mean_power() const { return mean_power_; }  ///< lumen, all lamps, mean of the bands
 
     EmittedPhoton sample(std::uint64_t photon) const;

@@ -15,9 +15,13 @@ namespace {
 constexpr std::uint32_t bounce_limit = 1u << 16;  // no room is this bright; what is left there is booked as cut
 constexpr float roulette_share = 0.25f;           // of the weight at emission, below which the roulette begins
 
-float largest(const glm::vec3& weight) { return std::max(weight.x, std::max(weight.y, weight.z)); }
+float largest(const glm::vec3& weight) {
+    return std::max(weight.x, std::max(weight.y, weight.z));
+}
 
-bool finite(const glm::vec3& weight) { return std::isfinite(weight.x + weight.y + weight.z); }
+bool finite(const glm::vec3& weight) {
+    return std::isfinite(weight.x + weight.y + weight.z);
+}
 
 void book(Ledger::Account& account, const glm::vec3& weight) {
     for (int band = 0; band < band_count; ++band) account[static_cast<std::size_t>(band)] += to_quanta(weight[band]);

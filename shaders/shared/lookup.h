@@ -1,6 +1,6 @@
-// The one lookup: (chart tree, fixed-point u, v) -> entered flux per area and its standard error. Valid as C++ and GLSL.
-// The includer provides uvec2 fetch_node(uint) and vec4 fetch_leaf_texel(uint), and three macros that are empty in GLSL:
-// BREWSTER_FUNCTION (inline), BREWSTER_BINS_PARAMETER and BREWSTER_BINS (how C++ reaches the bins).
+// The one lookup: (chart tree, fixed-point u, v) -> entered flux per area and its standard error. Valid as C++ and
+// GLSL. The includer provides uvec2 fetch_node(uint) and vec4 fetch_leaf_texel(uint), and three macros that are empty
+// in GLSL: BREWSTER_FUNCTION (inline), BREWSTER_BINS_PARAMETER and BREWSTER_BINS (how C++ reaches the bins).
 
 struct BinValue {
     vec3 value;           // entered flux per area, red, green, blue

@@ -1,5 +1,6 @@
-// How good are leaves chosen at publication? Indirect light on the Lambert pixels of a camera, from pruned leaves and from
-// fixed grids of linear cells that saw the same photons, against a long run of another seed on a fixed 64 x 64 grid.
+// How good are leaves chosen at publication? Indirect light on the Lambert pixels of a camera, from pruned leaves and
+// from fixed grids of linear cells that saw the same photons, against a long run of another seed on a fixed 64 x 64
+// grid.
 //   leaves_study truth SCENE CAMERA SECONDS TRUTH.exr
 //   leaves_study table SCENE CAMERA TRUTH.exr PHOTONS...
 #include <cmath>
@@ -21,8 +22,8 @@ namespace {
 
 using namespace brewster;
 
-constexpr int size = 96;       // pixels a side
-constexpr int draws = 16;      // rays a pixel, on a regular 4 x 4 grid: the same points for everybody
+constexpr int size = 96;   // pixels a side
+constexpr int draws = 16;  // rays a pixel, on a regular 4 x 4 grid: the same points for everybody
 
 std::vector<Hit> primary_hits(const Scene& scene, const Camera& camera) {
     const Rays rays(scene);
@@ -131,7 +132,8 @@ int main(int argc, char** argv) {
         StopRule rule;
         rule.seconds = std::atof(argv[4]) / 2;
         const Run first = run(scene, 987654321, rule, fixed), second = run(scene, 123456789, rule, fixed);
-        write_exr(argv[5], mean_of(indirect_picture(*scene, hits, *first.bins), indirect_picture(*scene, hits, *second.bins)));
+        write_exr(argv[5],
+                  mean_of(indirect_picture(*scene, hits, *first.bins), indirect_picture(*scene, hits, *second.bins)));
         std::printf("truth: %.4g photons\n", static_cast<double>(first.progress.photons + second.progress.photons));
         return 0;
     }
@@ -150,9 +152,12 @@ int main(int argc, char** argv) {
         const Run coarse = run(scene, 1, rule, fixed);
         fixed.fixed_grid_log2 = 6;
         const Run fine = run(scene, 1, rule, fixed);
-        const auto error = [&](const Run& r) { return 100 * relative_rmse(indirect_picture(*scene, hits, *r.bins), truth); };
+        const auto error = [&](const Run& r) {
+            return 100 * relative_rmse(indirect_picture(*scene, hits, *r.bins), truth);
+        };
         std::printf("%10.3g %10.3f %% %8llu %10.3f %% %10.3f %% %10.3f %%\n", static_cast<double>(*rule.photons),
-                    error(pruned), static_cast<unsigned long long>(leaves), error(unshared), error(coarse), error(fine));
+                    error(pruned), static_cast<unsigned long long>(leaves), error(unshared), error(coarse),
+                    error(fine));
         std::fflush(stdout);
     }
     return 0;

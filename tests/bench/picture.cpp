@@ -26,7 +26,7 @@ std::uint32_t add_tree(Snapshot& bins, std::uint32_t place, std::array<std::uint
     const std::uint32_t split = (cell[2 * axis] + cell[2 * axis + 1]) / 2;
     const auto child = static_cast<std::uint32_t>(bins.nodes.size());
     bins.nodes.resize(bins.nodes.size() + 2);
-    bins.nodes[place] = {split, axis << 30 | child};
+    bins.nodes[place] = {split, axis << BREWSTER_NODE_AXIS_SHIFT | child};
     std::array<std::uint32_t, 4> low = cell, high = cell;
     low[2 * axis + 1] = split;
     high[2 * axis] = split;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "shared/bin_layout.h"
 #include "shapes.h"
+#include "shared/bin_layout.h"
 
 namespace brewster {
 namespace {
@@ -53,7 +53,8 @@ TEST(CellGeometry, RightTriangle) {
 
 // The four quarters of any shape add up to the whole.
 TEST(CellGeometry, QuartersAddUp) {
-    for (const Outline& outline : {shapes::l_shape(), shapes::annulus(), shapes::wall_with_window(), shapes::right_triangle()}) {
+    for (const Outline& outline :
+         {shapes::l_shape(), shapes::annulus(), shapes::wall_with_window(), shapes::right_triangle()}) {
         std::vector<std::uint32_t> all(outline.triangles.size());
         std::iota(all.begin(), all.end(), 0u);
         const std::uint32_t middle = BREWSTER_UV_ONE / 2;

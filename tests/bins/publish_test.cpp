@@ -38,7 +38,9 @@ class Thrower {
     }
 
     // The density is published as itself: one unit of weight a photon on a rectangle of this area.
-    Snapshot snapshot() const { return publish(tree_, nullptr, photons_, outline_.size.x * outline_.size.y, settings_); }
+    Snapshot snapshot() const {
+        return publish(tree_, nullptr, photons_, outline_.size.x * outline_.size.y, settings_);
+    }
     const BinTree<2>& tree() const { return tree_; }
     bool inside(double u, double v) const {
         for (const auto& t : outline_.triangles) {
@@ -85,7 +87,8 @@ double relative_rmse(const Snapshot& snapshot, const Thrower& thrower, const Thr
 
 // Exact moments instead of photons: a constant radiance must come back as one leaf, the same number everywhere.
 TEST(Publish, ConstantRadianceIsOneExactLeafOnAnyShape) {
-    for (const Outline& outline : {shapes::right_triangle(), shapes::l_shape(), shapes::annulus(), shapes::wall_with_window()}) {
+    for (const Outline& outline :
+         {shapes::right_triangle(), shapes::l_shape(), shapes::annulus(), shapes::wall_with_window()}) {
         BinTree<2> tree({outline}, BinSettings{});
         Tally<2> tally;
         tally.resize(tree.leaf_count());
@@ -111,8 +114,8 @@ TEST(Publish, ConstantRadianceIsOneExactLeafOnAnyShape) {
     }
 }
 
-// Photons get lost on the way with probability 1/2, so the flux of n photons has variance n / 4 and not sum w^2 = n / 2:
-// the replicas must see that.
+// Photons get lost on the way with probability 1/2, so the flux of n photons has variance n / 4 and not sum w^2 = n /
+// 2: the replicas must see that.
 TEST(Publish, EvenPhotonsAreOneLeafWithAnHonestError) {
     std::mt19937 coin(1);
     const auto lossy = [&](double, double) { return (coin() & 1024u) != 0 ? 1.0f : 0.0f; };
@@ -124,19 +127,22 @@ TEST(Publish, EvenPhotonsAreOneLeafWithAnHonestError) {
         for (int batch = 0; batch < 4; ++batch) thrower.throw_photons(2000, lossy);
         const Snapshot snapshot = thrower.snapshot();
         leaves += snapshot.charts[0].direct_leaves;
-        const auto middle = lookup::look_up(snapshot, snapshot.charts[0].direct_root, BREWSTER_UV_ONE / 2, BREWSTER_UV_ONE / 2);
+        const auto middle =
+            lookup::look_up(snapshot, snapshot.charts[0].direct_root, BREWSTER_UV_ONE / 2, BREWSTER_UV_ONE / 2);
         squares += std::pow(middle.value.x - 0.5, 2);
         reported += middle.standard_error.x * middle.standard_error.x;
     }
     // A false split at the root needs a chi-square of 3 degrees above 12 (0.7 %), and eleven levels stand below.
     EXPECT_LE(leaves, runs + runs / 8);
-    // Reported is the rms error of a linear cell, 3 times the variance of its mean, that is of its middle. The mean of 200
-    // squared normals has a relative standard deviation of 0.1; sum w^2 alone would give a half.
+    // Reported is the rms error of a linear cell, 3 times the variance of its mean, that is of its middle. The mean of
+    // 200 squared normals has a relative standard deviation of 0.1; sum w^2 alone would give a half.
     EXPECT_NEAR(3 * squares / reported, 1, 0.35);
 }
 
 TEST(Publish, MorePhotonsLowerTheErrorOfASmoothField) {
-    const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
+    const auto smooth = [](double u, double v) {
+        return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v));
+    };
     double previous = 1;
     for (const int batches : {8, 14, 20}) {
         Thrower thrower(shapes::rectangle(1, 1), BinSettings{}, 5);
@@ -159,7 +165,9 @@ TEST(Publish, StepsStaySharpAndSmoothBordersJoin) {
         EXPECT_NEAR(value_at(snapshot, 0.499, v), 4, 0.4);
         EXPECT_NEAR(value_at(snapshot, 0.501, v), 1, 0.3);
     }
-    const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
+    const auto smooth = [](double u, double v) {
+        return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v));
+    };
     Thrower smooth_thrower(shapes::rectangle(1, 1), BinSettings{}, 9);
     count = 4000;
     for (int batch = 0; batch < 16; ++batch, count += count / 4) smooth_thrower.throw_photons(count, smooth);
@@ -178,7 +186,9 @@ TEST(Publish, StepsStaySharpAndSmoothBordersJoin) {
 TEST(Publish, WithoutSharedCornersBordersStep) {
     BinSettings settings;
     settings.join_corners = false;
-    const auto smooth = [](double u, double v) { return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v)); };
+    const auto smooth = [](double u, double v) {
+        return static_cast<float>(1 + 0.9 * std::sin(5 * u) * std::cos(4 * v));
+    };
     Thrower thrower(shapes::rectangle(1, 1), settings, 9);
     std::uint64_t count = 4000;
     for (int batch = 0; batch < 16; ++batch, count += count / 4) thrower.throw_photons(count, smooth);
@@ -186,7 +196,8 @@ TEST(Publish, WithoutSharedCornersBordersStep) {
     double largest = 0;
     for (int i = 1; i < 4096; ++i) {
         const double u = i / 4096.0;
-        largest = std::max(largest, std::abs(static_cast<double>(value_at(snapshot, u - 1e-6, 0.3) - value_at(snapshot, u + 1e-6, 0.3))));
+        largest = std::max(largest, std::abs(static_cast<double>(value_at(snapshot, u - 1e-6, 0.3) -
+                                                                 value_at(snapshot, u + 1e-6, 0.3))));
     }
     EXPECT_GT(largest, 0.01);
 }

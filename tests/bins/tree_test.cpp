@@ -50,7 +50,8 @@ TEST(BinTree, LocateFindsTheLeafThatHoldsThePoint) {
 }
 
 TEST(BinTree, NoCellIsWithoutSurface) {
-    for (const Outline& outline : {shapes::l_shape(), shapes::annulus(), shapes::wall_with_window(), shapes::right_triangle()}) {
+    for (const Outline& outline :
+         {shapes::l_shape(), shapes::annulus(), shapes::wall_with_window(), shapes::right_triangle()}) {
         const BinTree<2> tree({outline}, BinSettings{});
         double area = 0;
         for (std::uint32_t node = 0; node < tree.node_count(); ++node) {

@@ -40,7 +40,7 @@ std::uint32_t grow(Snapshot& bins, std::uint32_t place, std::array<std::uint32_t
     const int low_leaves = std::max(1, static_cast<int>(uniform(0.2f, 0.8f) * static_cast<float>(leaves)));
     const auto child = static_cast<std::uint32_t>(bins.nodes.size());
     bins.nodes.resize(bins.nodes.size() + 2);
-    bins.nodes[place] = {split, axis << 30 | child};
+    bins.nodes[place] = {split, axis << BREWSTER_NODE_AXIS_SHIFT | child};
     std::array<std::uint32_t, 4> low_cell = cell, high_cell = cell;
     low_cell[2 * axis + 1] = split;
     high_cell[2 * axis] = split;

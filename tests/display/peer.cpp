@@ -40,8 +40,8 @@ class Peer : public GlTest {
     }
 };
 
-// A million photons: the direct flux is stratified, the indirect one has relative errors below 3 / sqrt(1e6) = 0.3 % for
-// the whole box; a camera that sees one corner of it, with a thirtieth of the light, five times that.
+// A million photons: the direct flux is stratified, the indirect one has relative errors below 3 / sqrt(1e6) = 0.3 %
+// for the whole box; a camera that sees one corner of it, with a thirtieth of the light, five times that.
 TEST_F(Peer, MeanRadianceAgrees) {
     for (const auto& [camera, bound] : {std::pair("front", 0.01), std::pair("inside", 0.01), std::pair("low", 0.02)}) {
         const PictureDifference difference = against_peer(camera, 3);

@@ -176,7 +176,8 @@ TEST(Engine, FurnaceCellsDeviateAsTheirErrorBarsSay) {
     int count = 0;
     for (std::uint32_t chart = 0; chart < 6; ++chart) {
         for (std::uint32_t i = 0; i < 256; ++i) {
-            const std::uint32_t step = BREWSTER_UV_ONE / 16, u = (i % 16) * step + step / 2, v = (i / 16) * step + step / 2;
+            const std::uint32_t step = BREWSTER_UV_ONE / 16, u = (i % 16) * step + step / 2,
+                                v = (i / 16) * step + step / 2;
             const auto direct = lookup::look_up(*bins, bins->charts[chart].direct_root, u, v);
             const auto indirect = lookup::look_up(*bins, bins->charts[chart].indirect_root, u, v);
             // The middle of a linear cell is its mean; reported is the point-wise error, sqrt(3) of the mean's.

@@ -17,8 +17,8 @@
 namespace brewster {
 namespace {
 
-std::shared_ptr<const Snapshot> solve(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, std::uint64_t photons,
-                                      const BinSettings& bins = {}) {
+std::shared_ptr<const Snapshot> solve(const std::shared_ptr<const Scene>& scene, std::uint64_t seed,
+                                      std::uint64_t photons, const BinSettings& bins = {}) {
     EngineSettings settings;
     settings.threads = 2;
     settings.seed = seed;
@@ -89,7 +89,9 @@ double largest_percent_of_steps(const BinSettings& settings) {
     return quantile(steps, 0.99);
 }
 
-TEST(PublishedLight, LitWallsShowNoBorders) { EXPECT_LT(largest_percent_of_steps(BinSettings{}), 0.01); }
+TEST(PublishedLight, LitWallsShowNoBorders) {
+    EXPECT_LT(largest_percent_of_steps(BinSettings{}), 0.01);
+}
 
 TEST(PublishedLight, CellsOnTheirOwnWouldShowTheirBorders) {
     BinSettings settings;
@@ -97,8 +99,8 @@ TEST(PublishedLight, CellsOnTheirOwnWouldShowTheirBorders) {
     EXPECT_GT(largest_percent_of_steps(settings), 0.03);
 }
 
-// Sixteen seeds, 32 x 32 places a chart: the spread of what is read against the standard error that is reported with it.
-// The spread of 16 normals has the median 0.98 of its deviation.
+// Sixteen seeds, 32 x 32 places a chart: the spread of what is read against the standard error that is reported with
+// it. The spread of 16 normals has the median 0.98 of its deviation.
 TEST(PublishedLight, SeedsSpreadAsTheErrorBarsSay) {
     const auto scene = rooms::read("cornell-box.gltf");
     constexpr std::uint32_t side = 32;

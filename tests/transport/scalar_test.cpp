@@ -13,7 +13,10 @@ namespace {
 /// A scene with one tally cell a chart, and photons traced into it.
 struct Bench {
     explicit Bench(const Scene& scene_in, std::uint64_t seed = 1)
-        : scene(scene_in), rays(scene), emission(scene, seed), tree(outlines(scene), one_cell()),
+        : scene(scene_in),
+          rays(scene),
+          emission(scene, seed),
+          tree(outlines(scene), one_cell()),
           transport(scene, rays, emission, tree, seed) {
         sums.bins.resize(tree.leaf_count());
     }
@@ -91,9 +94,9 @@ TEST(ScalarTransport, APhotonDependsOnItsIndexAlone) {
     EXPECT_EQ(forward.sums.counts.bounces, backward.sums.counts.bounces);
 }
 
-// Furnace of albedo 1/2 and emission 1: every wall of 1 m2 gets pi lumen direct and pi indirect. Photons of n = 2e5: the
-// direct flux of a wall is a share 1/6 of all, binomial at most: relative error sqrt(5/n) = 0.5 %; the indirect one is a
-// sum of a geometric number of weights, its relative error below sqrt(24/n) = 1.1 %. Bounds are 4 standard errors.
+// Furnace of albedo 1/2 and emission 1: every wall of 1 m2 gets pi lumen direct and pi indirect. Photons of n = 2e5:
+// the direct flux of a wall is a share 1/6 of all, binomial at most: relative error sqrt(5/n) = 0.5 %; the indirect one
+// is a sum of a geometric number of weights, its relative error below sqrt(24/n) = 1.1 %. Bounds are 4 standard errors.
 TEST(ScalarTransport, FurnaceWallsGetPiTwice) {
     const auto scene = rooms::read("furnace.gltf");
     Bench bench(*scene);
