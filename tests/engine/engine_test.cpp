@@ -145,7 +145,7 @@ TEST(Engine, MemoryBudgetHolds) {
     settings.bins.memory_bytes = 8u << 20;
     settings.bins.split_z_squared = 1;
     Engine engine(scene, settings);
-    engine.start(photons(some));
+    engine.start(photons(400000));
     engine.wait();
     EXPECT_LE(engine.progress().bytes, settings.bins.memory_bytes);
     EXPECT_GT(engine.progress().bytes, settings.bins.memory_bytes / 2);

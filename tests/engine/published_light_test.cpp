@@ -77,7 +77,7 @@ double quantile(std::vector<double> values, double share) {
 
 double largest_percent_of_steps(const BinSettings& settings) {
     const auto scene = rooms::read("cornell-box.gltf");
-    const auto bins = solve(scene, 1, slow ? 200000 : 2000000, settings);
+    const auto bins = solve(scene, 1, 2000000, settings);
     std::vector<double> steps;
     for (const char* wall : {"back", "left", "right"}) {  // nothing touches them but other walls at their edges
         for (const std::uint32_t chart : scene->charts_of(wall)) {
