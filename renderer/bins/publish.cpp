@@ -80,13 +80,14 @@ struct Excess {
     double leaves = 0;
 
     /// Few leaves know it badly (a leaf's own estimate has a standard deviation of 4.5), so a chart leans on its scene,
-    /// and only what stands out by half a standard deviation counts.
+    /// both lean on there being none, and only what stands out by half a standard deviation counts.
     double inflation(const Excess& scene) const {
-        constexpr double deviation_of_one = 4.5, lean_on_scene = 64;
+        constexpr double deviation_of_one = 4.5, lean_on_scene = 64, lean_on_none = 16;
         if (noise <= 0 || scene.noise <= 0) return 1;
         const double lean = std::min(lean_on_scene, scene.leaves);
-        const double ratio = (leaves * structure / noise + lean * scene.structure / scene.noise) / (leaves + lean);
-        return 1 + std::max(0.0, ratio - 0.5 * deviation_of_one / std::sqrt(leaves + lean));
+        const double sum = leaves * structure / noise + lean * scene.structure / scene.noise;
+        const double chance = 0.5 * deviation_of_one * std::sqrt(leaves + lean);
+        return 1 + std::max(0.0, (sum - chance) / (leaves + lean + lean_on_none));
     }
 };
 

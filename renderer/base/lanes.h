@@ -1,0 +1,242 @@
+#pragma once
+#include <immintrin.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <experimental/simd>
+#include <type_traits>
+
+/// The SIMD seam. A formula is written once as `template <class Real>` and used with Real = float, double and
+/// FloatLanes; the functions below are all it may use beside + - * /, comparisons, && || ! on masks and small integer
+/// constants. Each gives the same bits for a float as for a lane: IEEE operations only, fma where it is written,
+/// no branch on a value (`select` instead).
+namespace brewster {
+
+using FloatLanes = std::experimental::native_simd<float>;
+using LaneMask = FloatLanes::mask_type;
+inline constexpr int lane_count = static_cast<int>(FloatLanes::size());
+static_assert(lane_count == 8, "the build is for AVX2 (x86-64-v3)");
+
+/// The type of one lane.
+template <class Real>
+struct ScalarOf {
+    using type = Real;
+};
+template <>
+struct ScalarOf<FloatLanes> {
+    using type = float;
+};
+template <class Real>
+using Scalar = typename ScalarOf<Real>::type;
+
+/// A constant in every lane, rounded once to the type of a lane.
+template <class Real>
+constexpr Real constant(double value) {
+    return Real(static_cast<Scalar<Real>>(value));
+}
+
+inline float fma(float a, float b, float c) {
+    return std::fma(a, b, c);
+}
+inline double fma(double a, double b, double c) {
+    return std::fma(a, b, c);
+}
+// The library's own fma is called out of line at -O2, hence the intrinsic.
+inline FloatLanes fma(FloatLanes a, FloatLanes b, FloatLanes c) {
+    return FloatLanes(_mm256_fmadd_ps(static_cast<__m256>(a), static_cast<__m256>(b), static_cast<__m256>(c)));
+}
+
+inline float sqrt(float x) {
+    return std::sqrt(x);
+}
+inline double sqrt(double x) {
+    return std::sqrt(x);
+}
+inline FloatLanes sqrt(FloatLanes x) {
+    return FloatLanes(_mm256_sqrt_ps(static_cast<__m256>(x)));
+}
+
+inline float abs(float x) {
+    return std::fabs(x);
+}
+inline double abs(double x) {
+    return std::fabs(x);
+}
+inline FloatLanes abs(FloatLanes x) {
+    return FloatLanes(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), static_cast<__m256>(x)));
+}
+
+inline float floor(float x) {
+    return std::floor(x);
+}
+inline double floor(double x) {
+    return std::floor(x);
+}
+inline FloatLanes floor(FloatLanes x) {
+    return FloatLanes(_mm256_floor_ps(static_cast<__m256>(x)));
+}
+
+/// To the nearest integer, ties to even.
+inline float round_even(float x) {
+    return std::rint(x);
+}
+inline double round_even(double x) {
+    return std::rint(x);
+}
+inline FloatLanes round_even(FloatLanes x) {
+    return FloatLanes(_mm256_round_ps(static_cast<__m256>(x), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+}
+
+/// min and max return their second argument if either is NaN or both are zeros.
+inline float min(float a, float b) {
+    return a < b ? a : b;
+}
+inline double min(double a, double b) {
+    return a < b ? a : b;
+}
+inline FloatLanes min(FloatLanes a, FloatLanes b) {
+    return FloatLanes(_mm256_min_ps(static_cast<__m256>(a), static_cast<__m256>(b)));
+}
+inline float max(float a, float b) {
+    return a > b ? a : b;
+}
+inline double max(double a, double b) {
+    return a > b ? a : b;
+}
+inline FloatLanes max(FloatLanes a, FloatLanes b) {
+    return FloatLanes(_mm256_max_ps(static_cast<__m256>(a), static_cast<__m256>(b)));
+}
+
+/// Lane by lane `mask ? a : b`; both are evaluated.
+inline float select(bool mask, float a, float b) {
+    return mask ? a : b;
+}
+inline double select(bool mask, double a, double b) {
+    return mask ? a : b;
+}
+inline FloatLanes select(const LaneMask& mask, FloatLanes a, FloatLanes b) {
+    std::experimental::where(mask, b) = a;
+    return b;
+}
+
+inline bool any_of(bool mask) {
+    return mask;
+}
+inline bool any_of(const LaneMask& mask) {
+    return std::experimental::any_of(mask);
+}
+
+/// 2^k for an integral k in [-126, 127].
+inline float power_of_two(float k) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(static_cast<std::int32_t>(k) + 127) << 23);
+}
+inline FloatLanes power_of_two(FloatLanes k) {
+    const __m256i exponent = _mm256_add_epi32(_mm256_cvtps_epi32(static_cast<__m256>(k)), _mm256_set1_epi32(127));
+    return FloatLanes(_mm256_castsi256_ps(_mm256_slli_epi32(exponent, 23)));
+}
+
+/// x = mantissa * 2^exponent with the mantissa in [sqrt(1/2), sqrt(2)); x must be positive and normal.
+template <class Real>
+struct MantissaExponent {
+    Real mantissa, exponent;
+};
+inline constexpr std::uint32_t bits_of_sqrt_half = 0x3f3504f3u;
+inline MantissaExponent<float> split_exponent(float x) {
+    const std::uint32_t offset = std::bit_cast<std::uint32_t>(x) - bits_of_sqrt_half;
+    const std::int32_t exponent = static_cast<std::int32_t>(offset) >> 23;
+    return {std::bit_cast<float>((offset & 0x007fffffu) + bits_of_sqrt_half), static_cast<float>(exponent)};
+}
+inline MantissaExponent<FloatLanes> split_exponent(FloatLanes x) {
+    const __m256i base = _mm256_set1_epi32(static_cast<int>(bits_of_sqrt_half));
+    const __m256i offset = _mm256_sub_epi32(_mm256_castps_si256(static_cast<__m256>(x)), base);
+    const __m256i mantissa = _mm256_add_epi32(_mm256_and_si256(offset, _mm256_set1_epi32(0x007fffff)), base);
+    return {FloatLanes(_mm256_castsi256_ps(mantissa)), FloatLanes(_mm256_cvtepi32_ps(_mm256_srai_epi32(offset, 23)))};
+}
+
+/// Eight floats in memory, any alignment, as a batch; one for a scalar.
+template <class Real>
+Real load(const Scalar<Real>* from) {
+    if constexpr (std::is_same_v<Real, FloatLanes>)
+        return FloatLanes(_mm256_loadu_ps(from));
+    else
+        return *from;
+}
+inline void store(float x, float* to) {
+    *to = x;
+}
+inline void store(double x, double* to) {
+    *to = x;
+}
+inline void store(FloatLanes x, float* to) {
+    _mm256_storeu_ps(to, static_cast<__m256>(x));
+}
+
+/// Row `index` of a table, one row a lane; index is integral and inside the table.
+template <class Real, std::size_t columns>
+std::array<Real, columns> read_row(const std::array<float, columns>* table, const Real& index) {
+    std::array<Real, columns> row;
+    if constexpr (std::is_same_v<Real, FloatLanes>) {
+        std::array<float, lane_count> indices;
+        store(index, indices.data());
+        std::array<std::array<float, lane_count>, columns> transposed;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const std::array<float, columns>& from = table[static_cast<std::size_t>(indices[lane])];
+            for (std::size_t column = 0; column < columns; ++column) transposed[column][lane] = from[column];
+        }
+        for (std::size_t column = 0; column < columns; ++column) row[column] = load<Real>(transposed[column].data());
+    } else {
+        const std::array<float, columns>& from = table[static_cast<std::size_t>(index)];
+        for (std::size_t column = 0; column < columns; ++column) row[column] = from[column];
+    }
+    return row;
+}
+
+/// Rows `index` and `index` + 1 blended, low + fraction (high - low), one pair a lane: eight columns are read, blended
+/// and transposed at a time, which is three times as fast as column by column.
+template <class Real, std::size_t columns>
+std::array<Real, columns> blend_rows(const std::array<float, columns>* table, const Real& index, const Real& fraction) {
+    std::array<Real, columns> row;
+    if constexpr (std::is_same_v<Real, FloatLanes>) {
+        static_assert(columns % lane_count == 0);
+        std::array<float, lane_count> indices, fractions;
+        store(index, indices.data());
+        store(fraction, fractions.data());
+        for (std::size_t block = 0; block < columns; block += lane_count) {
+            __m256 r[lane_count];
+            for (std::size_t lane = 0; lane < lane_count; ++lane) {
+                const std::array<float, columns>* from = table + static_cast<std::size_t>(indices[lane]);
+                const __m256 low = _mm256_loadu_ps(from[0].data() + block),
+                             high = _mm256_loadu_ps(from[1].data() + block);
+                r[lane] = _mm256_fmadd_ps(_mm256_set1_ps(fractions[lane]), _mm256_sub_ps(high, low), low);
+            }
+            __m256 pairs[lane_count], quads[lane_count];
+            for (int j = 0; j < 4; ++j) {
+                pairs[2 * j] = _mm256_unpacklo_ps(r[2 * j], r[2 * j + 1]);
+                pairs[2 * j + 1] = _mm256_unpackhi_ps(r[2 * j], r[2 * j + 1]);
+            }
+            for (int j = 0; j < 2; ++j) {
+                const int k = 4 * j;
+                quads[k] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0x44);
+                quads[k + 1] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0xee);
+                quads[k + 2] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0x44);
+                quads[k + 3] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0xee);
+            }
+            for (std::size_t j = 0; j < 4; ++j) {
+                row[block + j] = FloatLanes(_mm256_permute2f128_ps(quads[j], quads[j + 4], 0x20));
+                row[block + j + 4] = FloatLanes(_mm256_permute2f128_ps(quads[j], quads[j + 4], 0x31));
+            }
+        }
+    } else {
+        const std::array<float, columns>* from = table + static_cast<std::size_t>(index);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const Real low = from[0][column], high = from[1][column];
+            row[column] = fma(fraction, high - low, low);
+        }
+    }
+    return row;
+}
+
+}  // namespace brewster

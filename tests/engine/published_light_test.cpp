@@ -1,0 +1,132 @@
+// What a reader of the published bins sees: borders that join, and error bars that mean what they say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+
+#include "bins/lookup.h"
+#include "bins/outline.h"
+#include "engine/engine.h"
+#include "shared/bin_layout.h"
+#include "slow.h"
+#include "transport/rooms.h"
+
+namespace brewster {
+namespace {
+
+std::shared_ptr<const Snapshot> solve(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, std::uint64_t photons,
+                                      const BinSettings& bins = {}) {
+    EngineSettings settings;
+    settings.threads = 2;
+    settings.seed = seed;
+    settings.bins = bins;
+    Engine engine(scene, settings);
+    StopRule rule;
+    rule.photons = photons;
+    engine.start(rule);
+    engine.wait();
+    return engine.snapshot();
+}
+
+/// Direct and indirect light of one place, mean of the bands.
+struct Light {
+    double value = 0, variance = 0;
+};
+
+Light light_at(const Snapshot& bins, std::uint32_t chart, std::uint32_t u, std::uint32_t v) {
+    Light light;
+    for (const std::uint32_t root : {bins.charts[chart].direct_root, bins.charts[chart].indirect_root}) {
+        const lookup::BinValue found = lookup::look_up(bins, root, u, v);
+        const auto mean = [](const glm::vec3& bands) { return static_cast<double>(bands.x + bands.y + bands.z) / 3; };
+        light.value += mean(found.value);
+        light.variance += std::pow(mean(found.standard_error), 2);
+    }
+    return light;
+}
+
+/// Steps across all borders of the cells of one tree, relative to the brighter side, at 32 places a border.
+void collect_steps(const Snapshot& bins, std::uint32_t chart, std::uint32_t root, std::vector<double>& steps) {
+    const std::function<void(std::uint32_t, Box<2>)> walk = [&](std::uint32_t index, const Box<2>& box) {
+        const glm::uvec2 node = bins.nodes[index];
+        if ((node.y & BREWSTER_NODE_LEAF) != 0) return;
+        const std::size_t axis = node.y >> BREWSTER_NODE_AXIS_SHIFT, along = 1 - axis;
+        for (std::uint32_t k = 0; k < 32; ++k) {
+            std::array<std::uint32_t, 2> below{}, above{};
+            below[axis] = node.x - 1;
+            above[axis] = node.x;
+            below[along] = above[along] = box.low[along] + (box.high[along] - box.low[along]) / 64 * (2 * k + 1);
+            const double a = light_at(bins, chart, below[0], below[1]).value;
+            const double b = light_at(bins, chart, above[0], above[1]).value;
+            if (std::max(a, b) > 0) steps.push_back(std::abs(a - b) / std::max(a, b));
+        }
+        Box<2> low = box, high = box;
+        low.high[axis] = high.low[axis] = node.x;
+        walk(node.y & BREWSTER_NODE_INDEX, low);
+        walk((node.y & BREWSTER_NODE_INDEX) + 1, high);
+    };
+    walk(root, {{0, 0}, {BREWSTER_UV_ONE, BREWSTER_UV_ONE}});
+}
+
+double quantile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+double largest_percent_of_steps(const BinSettings& settings) {
+    const auto scene = rooms::read("cornell-box.gltf");
+    const auto bins = solve(scene, 1, slow ? 200000 : 2000000, settings);
+    std::vector<double> steps;
+    for (const char* wall : {"back", "left", "right"}) {  // nothing touches them but other walls at their edges
+        for (const std::uint32_t chart : scene->charts_of(wall)) {
+            collect_steps(*bins, chart, bins->charts[chart].direct_root, steps);
+            collect_steps(*bins, chart, bins->charts[chart].indirect_root, steps);
+        }
+    }
+    EXPECT_GT(steps.size(), 1000u);
+    return quantile(steps, 0.99);
+}
+
+TEST(PublishedLight, LitWallsShowNoBorders) { EXPECT_LT(largest_percent_of_steps(BinSettings{}), 0.01); }
+
+TEST(PublishedLight, CellsOnTheirOwnWouldShowTheirBorders) {
+    BinSettings settings;
+    settings.join_corners = false;
+    EXPECT_GT(largest_percent_of_steps(settings), 0.03);
+}
+
+// Sixteen seeds, 32 x 32 places a chart: the spread of what is read against the standard error that is reported with it.
+// The spread of 16 normals has the median 0.98 of its deviation.
+TEST(PublishedLight, SeedsSpreadAsTheErrorBarsSay) {
+    const auto scene = rooms::read("cornell-box.gltf");
+    constexpr std::uint32_t side = 32;
+    constexpr int seeds = 16;
+    std::vector<double> sum(scene->charts.size() * side * side), squares(sum.size()), reported(sum.size());
+    for (int seed = 0; seed < seeds; ++seed) {
+        const auto bins = solve(scene, 100 + static_cast<std::uint64_t>(seed), slow ? 30000 : 1000000);
+        std::size_t place = 0;
+        for (std::uint32_t chart = 0; chart < scene->charts.size(); ++chart) {
+            for (std::uint32_t i = 0; i < side * side; ++i, ++place) {
+                constexpr std::uint32_t half = BREWSTER_UV_ONE / (2 * side);
+                const Light light = light_at(*bins, chart, (2 * (i % side) + 1) * half, (2 * (i / side) + 1) * half);
+                sum[place] += light.value;
+                squares[place] += light.value * light.value;
+                reported[place] += light.variance;
+            }
+        }
+    }
+    std::vector<double> ratios;
+    for (std::size_t place = 0; place < sum.size(); ++place) {
+        const double mean = sum[place] / seeds;
+        if (mean <= 0) continue;
+        const double variance = (squares[place] / seeds - mean * mean) * seeds / (seeds - 1);
+        ratios.push_back(std::sqrt(std::max(variance, 0.0) * seeds / reported[place]));
+    }
+    EXPECT_GT(quantile(ratios, 0.5), slow ? 0.6 : 0.9);
+    EXPECT_LT(quantile(ratios, 0.5), slow ? 1.25 : 1.1);
+}
+
+}  // namespace
+}  // namespace brewster
