@@ -83,7 +83,6 @@ TEST(Program, SolveSummarisesForPeople) {
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_NE(result.output.find("20 k photons"), std::string::npos) << result.output;
     EXPECT_NE(result.output.find("balances exactly"), std::string::npos) << result.output;
-    EXPECT_EQ(result.errors.find('\r'), std::string::npos) << "a progress bar without a terminal";
 }
 
 TEST(Program, SecondsStopTheRun) {
@@ -105,6 +104,7 @@ TEST(Program, CtrlCEndsWithThePhotonsThereAre) {
     EXPECT_GT(report["photons"], 0);
     EXPECT_LT(report["photons"], 1'000'000'000'000);
     EXPECT_EQ(report["ledger"]["balances"], true);
+    EXPECT_EQ(result.errors.find('\r'), std::string::npos) << "a progress bar without a terminal";
     EXPECT_NE(result.errors.find("going on with " + report["photons"].dump() + " photons"), std::string::npos)
         << result.errors;
 }
@@ -147,14 +147,14 @@ TEST(Program, ShotComparesWithItself) {
 }
 
 TEST(Program, UnknownCameraIsSuggested) {
-    const ProcessResult result = brewster({"shot", cornell_box, "--camera", "frnt", "--photons", "1e12"});
+    const ProcessResult result = brewster({"shot", cornell_box, "--camera", "frnt", "--photons", "1e7"});
     expect_sentence(result, 1, "did you mean 'front'");
     EXPECT_NE(result.errors.find("front, inside, low"), std::string::npos) << result.errors;
 }
 
 TEST(Program, PicturesOfOneNameAreRefusedBeforeTheWork) {
     const ProcessResult result =
-        brewster({"shot", cornell_box, "--photons", "1e12", "--out", "one.png"}, fresh_folder());
+        brewster({"shot", cornell_box, "--photons", "1e7", "--out", "one.png"}, fresh_folder());
     expect_sentence(result, 1, "several pictures");
 }
 
@@ -162,10 +162,10 @@ TEST(Program, UnwritableFolderIsRefusedBeforeTheWork) {
     const std::string folder = fresh_folder();
     write_text(folder + "/file", "in the way");
     const ProcessResult result =
-        brewster({"shot", cornell_box, "--photons", "1e12", "--out", "file/{camera}.png"}, folder);
+        brewster({"shot", cornell_box, "--photons", "1e7", "--out", "file/{camera}.png"}, folder);
     expect_sentence(result, 1, "file");
     fs::create_directories(folder + "/front.png");
-    expect_sentence(brewster({"shot", cornell_box, "--photons", "1e12", "--out", "{camera}.png"}, folder), 1,
+    expect_sentence(brewster({"shot", cornell_box, "--photons", "1e7", "--out", "{camera}.png"}, folder), 1,
                     "front.png");
 }
 
