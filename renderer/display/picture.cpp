@@ -66,7 +66,7 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
     std::vector<glm::vec4> texels;
     for (const Chart& chart : scene.charts) {
         const Material& material = scene.materials[chart.material];
-        texels.emplace_back(material.albedo, 0.0f);
+        texels.emplace_back(nearest_lambert(material), 0.0f);
         texels.emplace_back(material.emission, 0.0f);
     }
     materials_.reserve(texels.size());

@@ -1,17 +1,47 @@
 #pragma once
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 
 namespace brewster {
 
-/// A surface's optics, per band red, green, blue. So far: a Lambert base, and light of its own.
+enum class InterfaceKind : std::uint8_t { none, dielectric, conductor };
+enum class Finish : std::uint8_t { smooth, beckmann, kirchhoff };
+
+/// What light meets first: a boundary between air and the medium of index n - i k (k = 0 in a dielectric).
+struct Interface {
+    InterfaceKind kind = InterfaceKind::none;
+    Finish finish = Finish::smooth;
+    glm::vec3 n{1.5f}, k{0.0f};    ///< per band
+    float slope = 0;               ///< rough: Beckmann's m = 2 sigma / tau, (0, 0.8]
+    float rms_height = 0;          ///< Kirchhoff: sigma, micrometres
+    float correlation_length = 0;  ///< Kirchhoff: tau, micrometres
+
+    bool present() const { return kind != InterfaceKind::none; }
+};
+
+/// What becomes of light that enters. Lambert: only without an interface; polarized diffuse: only under a dielectric
+/// (theory 5, under rough ones 3.9); transparent: refraction at a smooth dielectric.
+enum class Base : std::uint8_t { black, lambert, polarized_diffuse, transparent };
+
+/// A surface's optics: an interface over a base, and light of its own. Per band red, green, blue.
 struct Material {
     std::string name;
-    glm::vec3 albedo{0.8f};    ///< reflected over entered flux, [0, 1]
+    Interface interface;
+    Base base = Base::lambert;
+    glm::vec3 albedo{0.8f};    ///< of the base, [0, 1]; 0 where it is black or transparent
+    bool thin = false;         ///< transparent: a pane whose two faces are one surface, not the skin of a closed body
     glm::vec3 emission{0.0f};  ///< radiance that leaves the surface, cd/m2
     bool double_sided = false;
 
     bool emits() const { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
 };
+
+/// Unpolarized reflectance of a smooth interface at normal incidence, per band: ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2).
+glm::vec3 normal_reflectance(const Interface& interface);
+
+/// Albedo of the Lambert surface that stands in for the material where its interface is not simulated: the base's, a
+/// conductor's normal reflectance, 1 for what is transparent.
+glm::vec3 nearest_lambert(const Material& material);
 
 }  // namespace brewster

@@ -122,7 +122,11 @@ struct Rays::Impl {
         hit.triangle = raw.triangle;
         hit.distance = raw.distance;
         hit.position = scene.point_inside(triangle, raw.b1, raw.b2);
-        hit.chart = glm::dot(front.normal, ray.direction) < 0.0f ? triangle.front_chart : triangle.back_chart;
+        hit.b1 = raw.b1;
+        hit.b2 = raw.b2;
+        const bool from_front = glm::dot(front.normal, ray.direction) < 0.0f;
+        hit.chart = from_front ? triangle.front_chart : triangle.back_chart;
+        hit.normal = hit.shading_normal = from_front ? front.normal : -front.normal;
         if (hit.chart == no_chart) return hit;
         const glm::vec2 uv = scene.charts[hit.chart].unit_coordinates(hit.position);
         hit.u = chart_fixed_point(uv.x);

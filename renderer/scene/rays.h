@@ -21,7 +21,10 @@ struct Hit {
     std::uint32_t chart = no_chart;     ///< of the side that was hit; no_chart on a back that absorbs
     float distance = 0;
     glm::vec3 position{0.0f};
-    std::uint32_t u = 0, v = 0;  ///< fixed-point chart coordinates, 24 bits
+    std::uint32_t u = 0, v = 0;      ///< fixed-point chart coordinates, 24 bits
+    float b1 = 0, b2 = 0;            ///< barycentric coordinates of the triangle's second and third corner
+    glm::vec3 normal{0.0f};          ///< of the triangle, unit, on the side that was hit
+    glm::vec3 shading_normal{0.0f};  ///< interpolated from the corners, unit, on the same side; flat meshes: `normal`
 
     bool escaped() const { return triangle == no_chart; }
 };

@@ -205,7 +205,7 @@ class Reader {
         std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> known;
         for (const PlacedPrimitive& primitive : primitives_) {
             const auto [at, is_new] = known.try_emplace({primitive.node, primitive.material}, parts.size());
-            if (is_new) parts.push_back({primitive.node_name, primitive.mesh_name, primitive.material, {}, {}});
+            if (is_new) parts.push_back({primitive.node_name, primitive.mesh_name, primitive.material, {}, {}, {}});
             Part& part = parts[at->second];
             const auto first = static_cast<std::uint32_t>(part.vertices.size());
             for (const glm::dvec3& p : primitive.vertices) part.vertices.emplace_back(p - scene_.centre);

@@ -14,6 +14,7 @@ struct Part {
     std::string node_name, mesh_name;
     std::uint32_t material = 0;
     std::vector<glm::vec3> vertices;
+    std::vector<glm::vec3> normals;  ///< of the vertices, unit; none: the mesh is flat, facet by facet
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 

@@ -69,7 +69,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         deposit(tree_, sums.bins, hit, weight, bounce == 0, replica);
 
         const Chart& chart = scene_.charts[hit.chart];
-        const glm::vec3 reflected = weight * scene_.materials[chart.material].albedo;
+        const glm::vec3 reflected = weight * nearest_lambert(scene_.materials[chart.material]);
         if (!finite(reflected)) {
             ++sums.counts.trouble;
             book(sums.ledger.cut, weight);

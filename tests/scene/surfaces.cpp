@@ -25,7 +25,7 @@ Scene placed(const Outline& outline, std::uint64_t seed) {
     const glm::dvec3 x = glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine)));
     const glm::dvec3 y = glm::normalize(glm::cross(glm::dvec3(normal(engine), normal(engine), normal(engine)), x));
     const glm::dvec3 shift(normal(engine), normal(engine), normal(engine));
-    Part part{"node", "mesh", 0, {}, outline.triangles};
+    Part part{"node", "mesh", 0, {}, {}, outline.triangles};
     for (const glm::dvec2 p : outline.points) part.vertices.emplace_back(p.x * x + p.y * y + shift);
     Scene scene;
     scene.materials.emplace_back();
