@@ -197,7 +197,7 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
           "animations are not played", "material \"grey\": KHR_materials_transmission is not simulated",
           "material \"grey\": its glossy interface (refractive index 1.5) is not simulated",
           "material \"grey\": its alpha mode BLEND is not simulated", "material \"gold\": its metal is not simulated",
-          "mesh \"square\": its morph targets are not read", "mesh \"square\": its points, lines, strips and fans",
+          "mesh \"square\": its morph targets are not read", "mesh \"square\": its points and lines are left out",
           "camera \"flat\": its type orthographic is not simulated"})
         EXPECT_TRUE(warns_of(scene, words)) << words;
     EXPECT_EQ(scene.warnings.size(), 10u);
