@@ -52,6 +52,16 @@ struct GltfNode {
     std::vector<double> translation, rotation, scale;
 };
 
+/// BREWSTER_surface of a material. Lengths in micrometres, angles in degrees.
+struct GltfSurface {
+    double rms_height = 0, correlation_length = 0;  ///< 0: the file does not say
+    std::vector<double> n, k;                       ///< complexIor; none: the file does not say
+    bool polarizer = false, retarder = false;
+    double angle = 0;                         ///< of the polarizer's passing or the retarder's fast axis
+    double retardance = 0;                    ///< the same at every wavelength
+    double thickness = 0, birefringence = 0;  ///< of a plate; 0: `retardance` holds
+};
+
 struct GltfMaterial {
     std::string name;
     std::vector<double> base_color{1, 1, 1, 1}, emissive{0, 0, 0};
@@ -59,6 +69,10 @@ struct GltfMaterial {
     double emissive_strength = 1;  ///< KHR_materials_emissive_strength
     double specular = 1;           ///< KHR_materials_specular
     double ior = 1.5;              ///< KHR_materials_ior
+    double transmission = 0;       ///< KHR_materials_transmission
+    double thickness = 0;          ///< KHR_materials_volume; 0: a thin wall
+    bool attenuates = false;       ///< KHR_materials_volume: its attenuation is other than none
+    GltfSurface surface;
     std::string alpha_mode = "OPAQUE";
     bool double_sided = false;
     std::vector<std::string> textures;    ///< the properties that name one
@@ -71,11 +85,13 @@ struct GltfCamera {
     double aspect_ratio = 0;  ///< 0: the file does not say
 };
 
-/// KHR_lights_punctual.
+/// KHR_lights_punctual, and BREWSTER_surface on a light.
 struct GltfLight {
     std::string name, type;
     std::vector<double> color{1, 1, 1};
     double intensity = 1, range = 0, inner_cone_angle = 0, outer_cone_angle = 0;
+    double dolp = 0, aolp = 0, docp = 0;  ///< polarization, aolp in degrees
+    double angular_diameter = 0;          ///< degrees
 };
 
 struct GltfFile {

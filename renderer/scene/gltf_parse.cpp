@@ -151,6 +151,51 @@ GltfNode node_of(const tinygltf::Node& from) {
     return node;
 }
 
+double number(const tinygltf::Value& object, const std::string& name, double absent) {
+    return object.Has(name) ? object.Get(name).GetNumberAsDouble() : absent;
+}
+
+std::vector<double> numbers(const tinygltf::Value& object, const std::string& name) {
+    std::vector<double> list;
+    if (!object.Has(name)) return list;
+    const tinygltf::Value& from = object.Get(name);
+    for (std::size_t i = 0; i < from.ArrayLen(); ++i) list.push_back(from.Get(static_cast<int>(i)).GetNumberAsDouble());
+    return list;
+}
+
+GltfSurface surface_of(const tinygltf::ExtensionMap& extensions) {
+    GltfSurface surface;
+    const auto found = extensions.find("BREWSTER_surface");
+    if (found == extensions.end()) return surface;
+    const tinygltf::Value& from = found->second;
+    surface.rms_height = number(from, "rmsHeight", 0);
+    surface.correlation_length = number(from, "correlationLength", 0);
+    if (from.Has("complexIor")) {
+        surface.n = numbers(from.Get("complexIor"), "n");
+        surface.k = numbers(from.Get("complexIor"), "k");
+    }
+    surface.polarizer = from.Has("polarizer");
+    surface.retarder = from.Has("retarder");
+    if (surface.polarizer) surface.angle = number(from.Get("polarizer"), "angle", 0);
+    if (surface.retarder) {
+        const tinygltf::Value& plate = from.Get("retarder");
+        surface.angle = number(plate, "angle", 0);
+        surface.retardance = number(plate, "retardance", 0);
+        surface.thickness = number(plate, "thickness", 0);
+        surface.birefringence = number(plate, "birefringence", 0);
+    }
+    return surface;
+}
+
+// KHR_materials_volume: a distance without a colour, or a white colour, attenuates nothing.
+bool attenuates(const tinygltf::ExtensionMap& extensions) {
+    const tinygltf::Value* colour = property(extensions, "KHR_materials_volume", "attenuationColor");
+    if (!colour || !property(extensions, "KHR_materials_volume", "attenuationDistance")) return false;
+    for (int band = 0; band < 3; ++band)
+        if (colour->Get(band).GetNumberAsDouble() < 1.0) return true;
+    return false;
+}
+
 GltfMaterial material_of(const tinygltf::Material& from) {
     GltfMaterial material;
     material.name = from.name;
@@ -162,6 +207,11 @@ GltfMaterial material_of(const tinygltf::Material& from) {
         number(from.extensions, "KHR_materials_emissive_strength", "emissiveStrength", material.emissive_strength);
     material.specular = number(from.extensions, "KHR_materials_specular", "specularFactor", material.specular);
     material.ior = number(from.extensions, "KHR_materials_ior", "ior", material.ior);
+    material.transmission =
+        number(from.extensions, "KHR_materials_transmission", "transmissionFactor", material.transmission);
+    material.thickness = number(from.extensions, "KHR_materials_volume", "thicknessFactor", material.thickness);
+    material.attenuates = attenuates(from.extensions);
+    material.surface = surface_of(from.extensions);
     material.alpha_mode = from.alphaMode;
     material.double_sided = from.doubleSided;
     if (from.pbrMetallicRoughness.baseColorTexture.index >= 0) material.textures.push_back("baseColorTexture");
@@ -179,6 +229,14 @@ GltfLight light_of(const tinygltf::Light& from) {
     if (light.color.empty()) light.color = {1, 1, 1};
     light.inner_cone_angle = from.spot.innerConeAngle;
     light.outer_cone_angle = from.spot.outerConeAngle;
+    const auto found = from.extensions.find("BREWSTER_surface");
+    if (found == from.extensions.end()) return light;
+    light.angular_diameter = number(found->second, "angularDiameter", 0);
+    if (!found->second.Has("polarization")) return light;
+    const tinygltf::Value& polarization = found->second.Get("polarization");
+    light.dolp = number(polarization, "dolp", 0);
+    light.aolp = number(polarization, "aolp", 0);
+    light.docp = number(polarization, "docp", 0);
     return light;
 }
 

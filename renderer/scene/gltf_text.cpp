@@ -59,20 +59,40 @@ const std::map<std::string, Kind> kinds = {
     {"yfov", Kind::number},
     {"znear", Kind::number},
     {"zfar", Kind::number},
+    {"birefringence", Kind::number},
+    {"thickness", Kind::number},
+    {"retardance", Kind::number},
+    {"angle", Kind::number},
+    {"angularDiameter", Kind::number},
+    {"docp", Kind::number},
+    {"aolp", Kind::number},
+    {"dolp", Kind::number},
+    {"correlationLength", Kind::number},
+    {"rmsHeight", Kind::number},
+    {"attenuationDistance", Kind::number},
+    {"thicknessFactor", Kind::number},
+    {"transmissionFactor", Kind::number},
     {"normalized", Kind::boolean},
 };
 
 // Lists of numbers and their lengths.
 const std::map<std::string, std::size_t> lengths = {
-    {"baseColorFactor", 4}, {"emissiveFactor", 3}, {"color", 3}, {"matrix", 16}, {"rotation", 4}, {"translation", 3},
+    {"baseColorFactor", 4},  {"emissiveFactor", 3},      {"color", 3}, {"matrix", 16},
+    {"rotation", 4},         {"translation", 3},         {"n", 3},     {"k", 3},
+    {"attenuationColor", 3}, {"specularColorFactor", 3},
 };
 
 const std::set<std::string> object_lists = {"accessors", "animations", "bufferViews", "buffers",  "cameras",
                                             "images",    "lights",     "materials",   "meshes",   "nodes",
                                             "samplers",  "scenes",     "skins",       "textures", "primitives"};
 
-const std::set<std::string> read_extensions = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                               "KHR_materials_ior", "KHR_materials_specular"};
+const std::set<std::string> read_extensions = {
+    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
+    "BREWSTER_surface"};
+
+// Objects whose other kinds would read as if they were not there.
+const std::set<std::string> objects = {"complexIor", "polarizer", "retarder", "polarization"};
 
 class Checker {
   public:
@@ -115,6 +135,8 @@ class Checker {
             check_kind(value, path, Kind::index);
         } else if (value.is_object()) {
             check_members(value, path);
+        } else if (objects.count(key) != 0) {
+            wrong(path, "is not an object");
         }
     }
 

@@ -19,7 +19,12 @@ struct Lamp {
     glm::vec3 position{0.0f};                  ///< point, spot
     glm::vec3 direction{0.0f, 0.0f, -1.0f};    ///< sun, spot: unit, the way the light travels
     float cos_inner = 1.0f, cos_outer = 0.0f;  ///< spot cone
-    std::uint32_t chart = 0;                   ///< area: whose front side emits
+    float angular_radius = 0;                  ///< sun: of its disc, radians; 0: a parallel beam
+    /// S1, S2, S3 over S0 of what leaves it. The x axis of light in direction d is `axis` less its part along d; where
+    /// d runs along `axis`, `second_axis` takes its place.
+    glm::vec3 polarization{0.0f};
+    glm::vec3 axis{1.0f, 0.0f, 0.0f}, second_axis{0.0f, 1.0f, 0.0f};  ///< x and y of the lamp's node, unit
+    std::uint32_t chart = 0;                                          ///< area: whose front side emits
 
     float mean_power() const { return (power.x + power.y + power.z) / 3.0f; }
 };

@@ -24,6 +24,15 @@ struct Interface {
 /// (theory 5, under rough ones 3.9); transparent: refraction at a smooth dielectric.
 enum class Base : std::uint8_t { black, lambert, polarized_diffuse, transparent };
 
+enum class FilterKind : std::uint8_t { none, polarizer, retarder };
+
+/// A sheet that light passes straight on, without an interface (theory 1.3).
+struct Filter {
+    FilterKind kind = FilterKind::none;
+    float angle = 0;             ///< radians, of the polarizer's passing or the retarder's fast axis on the sheet
+    glm::vec3 retardance{0.0f};  ///< radians per band, [0, 2 pi)
+};
+
 /// A surface's optics: an interface over a base, and light of its own. Per band red, green, blue.
 struct Material {
     std::string name;
@@ -31,6 +40,7 @@ struct Material {
     Base base = Base::lambert;
     glm::vec3 albedo{0.8f};    ///< of the base, [0, 1]; 0 where it is black or transparent
     bool thin = false;         ///< transparent: a pane whose two faces are one surface, not the skin of a closed body
+    Filter filter;             ///< with a base that is transparent and thin
     glm::vec3 emission{0.0f};  ///< radiance that leaves the surface, cd/m2
     bool double_sided = false;
 

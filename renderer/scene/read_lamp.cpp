@@ -15,8 +15,13 @@ Lamp read_lamp(const GltfLight& from, const std::string& name, const glm::dmat4&
     lamp.intensity = glm::vec3(from.intensity * glm::dvec3(from.color[0], from.color[1], from.color[2]));
     lamp.position = glm::vec3(glm::dvec3(to_scene[3]));
     lamp.direction = glm::vec3(glm::normalize(-glm::dvec3(to_scene[2])));
+    lamp.axis = glm::vec3(glm::normalize(glm::dvec3(to_scene[0])));
+    lamp.second_axis = glm::vec3(glm::normalize(glm::dvec3(to_scene[1])));
+    const double turned = 2.0 * radians(from.aolp);
+    lamp.polarization = glm::vec3(glm::dvec3(from.dolp * std::cos(turned), from.dolp * std::sin(turned), from.docp));
     if (from.type == "directional") {
         lamp.kind = LampKind::sun;
+        lamp.angular_radius = static_cast<float>(0.5 * radians(from.angular_diameter));
     } else if (from.type == "point") {
         lamp.kind = LampKind::point;
         lamp.power = point_power(lamp.intensity);

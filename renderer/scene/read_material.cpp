@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <glm/common.hpp>
+
+#include "base/units.h"
+#include "optics/materials.h"
 
 namespace brewster {
 namespace {
+
+constexpr double steepest = 0.8;      // slope m beyond which the lobes' theory does not hold
+constexpr double least_index = 1.01;  // closer to air, an interface reflects less than 3e-5
+constexpr double highest_reflectance = 0.99;
 
 std::string short_number(double x) {
     std::array<char, 32> text{};
@@ -13,11 +22,140 @@ std::string short_number(double x) {
     return text.data();
 }
 
-// The interface over the base, in words; empty if there is none (KHR_materials_specular: factor 0).
-std::string interface_of(const GltfMaterial& from) {
-    if (from.metallic >= 0.5) return "its metal";
-    if (from.specular == 0.0 || from.ior == 1.0) return {};
-    return "its glossy interface (refractive index " + short_number(from.ior) + ")";
+// KHR_materials_specular below 1 lowers the reflectance at normal incidence; here the index that has it.
+double index_of(const GltfMaterial& from) {
+    const double n = from.ior == 0.0 ? 1.5 : from.ior;
+    const double amplitude = (n - 1.0) / (n + 1.0) * std::sqrt(from.specular);
+    return (1.0 + amplitude) / (1.0 - amplitude);
+}
+
+// k of a metal of index n that reflects `reflectance` at normal incidence; below zero for an n that cannot.
+double squared_absorption(double n, double reflectance) {
+    return (reflectance * (n + 1.0) * (n + 1.0) - (n - 1.0) * (n - 1.0)) / (1.0 - reflectance);
+}
+
+double reflectance_of(const OpticalConstants& metal, std::size_t band) {
+    const double n = metal.n[band], k = metal.k[band];
+    return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+}
+
+const OpticalConstants& nearest_metal(const glm::dvec3& reflectance) {
+    const OpticalConstants* nearest = nullptr;
+    double least = INFINITY;
+    for (const OpticalConstants& metal : named_materials) {
+        if (metal.k[0] == 0.0) continue;
+        double distance = 0;
+        for (int band = 0; band < 3; ++band)
+            distance += std::pow(reflectance_of(metal, static_cast<std::size_t>(band)) - reflectance[band], 2);
+        if (distance < least) {
+            least = distance;
+            nearest = &metal;
+        }
+    }
+    return *nearest;
+}
+
+// A metal known by its colour only: n = 1 where it reflects less than half, otherwise that of the nearest metal known
+// by name, and the k that gives its colour.
+void set_metal_by_colour(Interface& interface, const std::vector<double>& colour) {
+    const glm::dvec3 reflectance = glm::min(glm::dvec3(colour[0], colour[1], colour[2]), highest_reflectance);
+    const OpticalConstants& metal = nearest_metal(reflectance);
+    for (int band = 0; band < 3; ++band) {
+        double n = reflectance[band] < 0.5 ? 1.0 : metal.n[static_cast<std::size_t>(band)];
+        if (squared_absorption(n, reflectance[band]) < 0) n = 1.0;
+        interface.n[band] = static_cast<float>(n);
+        interface.k[band] = static_cast<float>(std::sqrt(squared_absorption(n, reflectance[band])));
+    }
+}
+
+void set_finish(Material& material, const GltfMaterial& from, const std::string& subject,
+                std::vector<std::string>& warnings) {
+    Interface& interface = material.interface;
+    const GltfSurface& surface = from.surface;
+    const bool kirchhoff = surface.rms_height > 0;
+    const double slope =
+        kirchhoff ? 2.0 * surface.rms_height / surface.correlation_length : from.roughness * from.roughness;
+    if (slope == 0.0) return;
+    const double clamped = std::min(slope, steepest);
+    if (slope > steepest)
+        warnings.push_back(subject + "its roughness is taken as m = 0.8, the steepest that is simulated, instead of " +
+                           short_number(slope));
+    interface.finish = kirchhoff ? Finish::kirchhoff : Finish::beckmann;
+    interface.slope = static_cast<float>(clamped);
+    interface.rms_height = static_cast<float>(surface.rms_height);
+    interface.correlation_length = static_cast<float>(kirchhoff ? 2.0 * surface.rms_height / clamped : 0.0);
+}
+
+// The sentence about an interface over the base that only a Lambert surface stands in for; empty if there is none.
+std::string substitute_of(const Material& material) {
+    const std::string lambert = " is not simulated; it is a Lambert surface of its base colour";
+    switch (material.interface.kind) {
+        case InterfaceKind::none:
+            return {};
+        case InterfaceKind::conductor:
+            return "its metal" + lambert;
+        case InterfaceKind::dielectric:
+            break;
+    }
+    if (material.base == Base::transparent) return "its transparency is not simulated; it is a white Lambert surface";
+    return "its glossy interface (refractive index " + short_number(static_cast<double>(material.interface.n.y)) + ")" +
+           lambert;
+}
+
+void set_interface_and_base(Material& material, const GltfMaterial& from, const std::string& subject,
+                            std::vector<std::string>& warnings) {
+    Interface& interface = material.interface;
+    const GltfSurface& surface = from.surface;
+    const bool absorbs = std::any_of(surface.k.begin(), surface.k.end(), [](double k) { return k > 0.0; });
+    const double n = surface.n.empty() ? index_of(from) : *std::min_element(surface.n.begin(), surface.n.end());
+    const bool transparent = from.transmission >= 0.5;
+    interface.n = glm::vec3(static_cast<float>(n));
+    for (std::size_t band = 0; band < surface.n.size(); ++band) {
+        interface.n[static_cast<int>(band)] = static_cast<float>(surface.n[band]);
+        interface.k[static_cast<int>(band)] = static_cast<float>(surface.k[band]);
+    }
+    if (from.metallic >= 0.5 || absorbs) {
+        interface.kind = InterfaceKind::conductor;
+        material.base = Base::black;
+        if (surface.n.empty()) set_metal_by_colour(interface, from.base_color);
+    } else if (n >= least_index) {
+        interface.kind = InterfaceKind::dielectric;
+        material.base = transparent ? Base::transparent : Base::polarized_diffuse;
+    } else {
+        interface.kind = InterfaceKind::none;
+        material.base = transparent ? Base::transparent : Base::lambert;
+    }
+    if (material.base == Base::transparent) {
+        if (from.transmission < 1.0) warnings.push_back(subject + "it lets light pass entirely, not in part");
+        material.thin = from.thickness == 0.0;
+        if (from.roughness > 0.0 || surface.rms_height > 0)
+            warnings.push_back(subject + "its roughness is not simulated where light passes; it is smooth");
+        if (from.attenuates) warnings.push_back(subject + "its colour inside is not simulated; it is clear");
+    } else if (interface.present()) {
+        set_finish(material, from, subject, warnings);
+    }
+    const bool has_base = material.base == Base::lambert || material.base == Base::polarized_diffuse;
+    for (int band = 0; band < 3; ++band)
+        material.albedo[band] = has_base ? static_cast<float>(from.base_color[static_cast<std::size_t>(band)]) : 0.0f;
+    if (material.base == Base::polarized_diffuse && material.albedo == glm::vec3(0.0f)) material.base = Base::black;
+}
+
+void set_filter(Material& material, const GltfSurface& surface) {
+    if (!surface.polarizer && !surface.retarder) return;
+    Filter& filter = material.filter;
+    filter.kind = surface.polarizer ? FilterKind::polarizer : FilterKind::retarder;
+    filter.angle = static_cast<float>(radians(surface.angle));
+    for (int band = 0; band < 3; ++band) {
+        // A plate's retardance in turns, of which only the fraction counts.
+        const double turns = surface.thickness > 0 ? surface.birefringence * surface.thickness * 1e3 /
+                                                         band_wavelength_nm[static_cast<std::size_t>(band)]
+                                                   : surface.retardance / 360.0;
+        filter.retardance[band] = static_cast<float>(2.0 * pi * (turns - std::floor(turns)));
+    }
+    material.interface = {};
+    material.base = Base::transparent;
+    material.thin = true;
+    material.albedo = glm::vec3(0.0f);
 }
 
 }  // namespace
@@ -26,20 +164,19 @@ Material read_material(const GltfMaterial& from, std::size_t index, std::vector<
     Material material;
     material.name = from.name.empty() ? "material " + std::to_string(index) : from.name;
     material.double_sided = from.double_sided;
-    for (int band = 0; band < 3; ++band) {
-        const auto k = static_cast<std::size_t>(band);
-        material.albedo[band] = static_cast<float>(from.base_color[k]);
-        material.emission[band] = static_cast<float>(from.emissive[k] * from.emissive_strength);
-    }
-
+    for (int band = 0; band < 3; ++band)
+        material.emission[band] =
+            static_cast<float>(from.emissive[static_cast<std::size_t>(band)] * from.emissive_strength);
     const std::string subject = "material \"" + material.name + "\": ";
-    if (const std::string interface = interface_of(from); !interface.empty())
-        warnings.push_back(subject + interface + " is not simulated; it is a Lambert surface of its base colour");
+    set_interface_and_base(material, from, subject, warnings);
+    set_filter(material, from.surface);
+
+    if (const std::string substitute = substitute_of(material); !substitute.empty())
+        warnings.push_back(subject + substitute);
+    if (material.filter.kind != FilterKind::none)
+        warnings.push_back(subject + "its filter is not simulated; it is a white Lambert surface");
     for (const std::string& texture : from.textures)
         warnings.push_back(subject + texture + " is not read; the factor beside it is used alone");
-    for (const char* name : {"KHR_materials_transmission", "KHR_materials_volume", "BREWSTER_surface"})
-        if (std::find(from.extensions.begin(), from.extensions.end(), name) != from.extensions.end())
-            warnings.push_back(subject + name + " is not simulated");
     if (from.alpha_mode != "OPAQUE")
         warnings.push_back(subject + "its alpha mode " + from.alpha_mode + " is not simulated; it is opaque");
     return material;

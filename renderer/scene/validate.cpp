@@ -53,9 +53,11 @@ struct Validator {
     }
 
     void check_extensions() const {
-        static const std::vector<std::string> readable = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                                          "KHR_materials_ior", "KHR_materials_specular",
-                                                          "KHR_mesh_quantization"};
+        static const std::vector<std::string> readable = {
+            "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+            "KHR_materials_ior",          "KHR_materials_specular",
+            "KHR_materials_transmission", "KHR_materials_volume",
+            "BREWSTER_surface",           "KHR_mesh_quantization"};
         for (const std::string& name : file.extensions_required)
             if (std::find(readable.begin(), readable.end(), name) == readable.end())
                 throw Error("it requires the extension " + name + ", which is not read", where,
@@ -214,6 +216,31 @@ struct Validator {
         check_range(material.roughness, 0, 1, path + ".pbrMetallicRoughness.roughnessFactor");
         check_range(material.specular, 0, 1, path + ".specularFactor");
         if (material.ior != 0) check_range(material.ior, 1, 1e6, path + ".ior");
+        check_range(material.transmission, 0, 1, path + ".transmissionFactor");
+        check_range(material.thickness, 0, 1e12, path + ".thicknessFactor");
+        check_surface(material.surface, path + ".extensions.BREWSTER_surface");
+    }
+
+    void check_surface(const GltfSurface& surface, const std::string& path) const {
+        constexpr double widest = 1e4;  // micrometres; a rougher surface is geometry
+        check_range(surface.rms_height, 0, widest, path + ".rmsHeight");
+        check_range(surface.correlation_length, 0, widest, path + ".correlationLength");
+        if ((surface.rms_height > 0) != (surface.correlation_length > 0))
+            wrong(path, "holds one of rmsHeight and correlationLength without the other");
+        if (surface.n.empty() != surface.k.empty())
+            wrong(path + ".complexIor", "holds one of n and k without the other");
+        if (!surface.n.empty()) {
+            check_ranges(surface.n, 3, 1e-3, 100, path + ".complexIor.n");
+            check_ranges(surface.k, 3, 0, 100, path + ".complexIor.k");
+        }
+        if (surface.polarizer && surface.retarder) wrong(path, "is both a polarizer and a retarder");
+        check_range(surface.angle, -360, 360, path + ".angle");
+        check_range(surface.retardance, -3600, 3600, path + ".retarder.retardance");
+        check_range(surface.thickness, 0, 1e6, path + ".retarder.thickness");
+        check_range(surface.birefringence, -1, 1, path + ".retarder.birefringence");
+        const bool plate = surface.thickness != 0 && surface.birefringence != 0;
+        if (surface.retarder && plate == (surface.retardance != 0))
+            wrong(path + ".retarder", "needs either retardance or thickness and birefringence");
     }
 
     void check_camera(std::size_t i) const {
@@ -231,6 +258,12 @@ struct Validator {
             wrong(path + ".type", "is \"" + light.type + "\", not directional, point or spot");
         check_ranges(light.color, 3, 0, 1e6, path + ".color");
         check_range(light.intensity, 0, 1e12, path + ".intensity");
+        check_range(light.dolp, 0, 1, path + ".polarization.dolp");
+        check_range(light.docp, -1, 1, path + ".polarization.docp");
+        check_range(light.dolp * light.dolp + light.docp * light.docp, 0, 1 + 1e-6,
+                    path + ".polarization: dolp^2 + docp^2");
+        check_range(light.aolp, -360, 360, path + ".polarization.aolp");
+        check_range(light.angular_diameter, 0, 90, path + ".angularDiameter");
         if (light.type != "spot") return;
         check_range(light.outer_cone_angle, 1e-4, pi / 2 + 1e-9, path + ".spot.outerConeAngle");
         check_range(light.inner_cone_angle, 0, light.outer_cone_angle, path + ".spot.innerConeAngle");

@@ -194,13 +194,14 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
     const Scene scene = scene_of(file);
     for (const char* words :
          {"the extension KHR_materials_clearcoat is not read", "the extension EXT_of_nobody is not read",
-          "animations are not played", "material \"grey\": KHR_materials_transmission is not simulated",
-          "material \"grey\": its glossy interface (refractive index 1.5) is not simulated",
+          "animations are not played", "material \"grey\": its transparency is not simulated",
+          "material \"grey\": its roughness is not simulated where light passes",
+          "material \"gold\": its roughness is taken as m = 0.8",
           "material \"grey\": its alpha mode BLEND is not simulated", "material \"gold\": its metal is not simulated",
           "mesh \"square\": its morph targets are not read", "mesh \"square\": its points and lines are left out",
           "camera \"flat\": its type orthographic is not simulated"})
         EXPECT_TRUE(warns_of(scene, words)) << words;
-    EXPECT_EQ(scene.warnings.size(), 10u);
+    EXPECT_EQ(scene.warnings.size(), 11u);
     EXPECT_EQ(scene.cameras[0].name, "fit");
 }
 

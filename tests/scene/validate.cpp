@@ -210,6 +210,55 @@ const std::vector<Mutation>& mutations() {
              f["materials"][0]["extensions"]["KHR_materials_ior"] = {{"ior", 0.5}};
          },
          "ior\" is 0.500000, out of range"},
+        {"MetalWithoutK",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"]["complexIor"]["n"] = {1, 1, 1};
+         },
+         "complexIor\" holds one of n and k without the other"},
+        {"IorInPairs",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"]["complexIor"] = {{"n", {1, 1}}, {"k", {1, 1}}};
+         },
+         "complexIor.k\" is not a list of 3 numbers"},
+        {"IorOfZero",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"]["complexIor"] = {{"n", {0, 1, 1}}, {"k", {1, 1, 1}}};
+         },
+         "complexIor.n\" is 0.000000, out of range"},
+        {"HeightWithoutLength",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"] = {{"rmsHeight", 0.1}};
+         },
+         "one of rmsHeight and correlationLength without the other"},
+        {"SurfaceIsText", [](J& f) { f["materials"][0]["extensions"]["BREWSTER_surface"] = "rough"; },
+         "BREWSTER_surface\" is not an object"},
+        {"PolarizerIsANumber",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"] = {{"polarizer", 30}};
+         },
+         "polarizer\" is not an object"},
+        {"PolarizerAndRetarder",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"] = {{"polarizer", {{"angle", 0}}},
+                                                                    {"retarder", {{"retardance", 90}}}};
+         },
+         "is both a polarizer and a retarder"},
+        {"RetarderOfNothing",
+         [](J& f) {
+             f["materials"][0]["extensions"]["BREWSTER_surface"] = {{"retarder", {{"angle", 45}}}};
+         },
+         "needs either retardance or thickness and birefringence"},
+        {"TransmissionAboveOne",
+         [](J& f) {
+             f["materials"][0]["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 1.5}};
+         },
+         "transmissionFactor\" is 1.500000, out of range"},
+        {"LampBeyondFullyPolarized",
+         [](J& f) {
+             f["extensions"]["KHR_lights_punctual"]["lights"][0]["extensions"]["BREWSTER_surface"]["polarization"] = {
+                 {"dolp", 0.9}, {"docp", 0.9}};
+         },
+         "dolp^2 + docp^2\" is 1.620000, out of range"},
         {"DoubleSidedIsANumber", [](J& f) { f["materials"][0]["doubleSided"] = 1; }, "is neither true nor false"},
         {"WideField", [](J& f) { f["cameras"][0]["perspective"]["yfov"] = 3.2; }, "yfov\" is 3.200000, out of range"},
         {"NoField", [](J& f) { f["cameras"][0]["perspective"].erase("yfov"); }, "yfov"},
