@@ -16,12 +16,21 @@ struct GltfBufferView {
     std::size_t byte_offset = 0, byte_length = 0, byte_stride = 0;  ///< stride 0: tightly packed
 };
 
+/// Elements of an accessor that stand elsewhere.
+struct GltfSparse {
+    std::size_t count = 0;  ///< 0: the accessor is not sparse
+    int indices_view = -1, indices_type = 0, values_view = -1;
+    std::size_t indices_offset = 0, values_offset = 0;
+};
+
 struct GltfAccessor {
-    int buffer_view = -1;
+    int buffer_view = -1;  ///< -1: zeros, but for the sparse elements
     std::size_t byte_offset = 0, count = 0;
     int component_type = 0;  ///< 5120 .. 5126
-    int components = 0;      ///< numbers an element; 0 for an unknown type
-    bool sparse = false;
+    int components = 0;      ///< numbers an element; 0 for a type that nothing here reads
+    bool normalized = false;
+    bool is_sparse = false;
+    GltfSparse sparse;
 };
 
 struct GltfPrimitive {

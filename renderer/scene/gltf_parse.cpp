@@ -88,8 +88,10 @@ int component_count(int type) {
             return 3;
         case TINYGLTF_TYPE_VEC4:
             return 4;
+        case TINYGLTF_TYPE_MAT4:
+            return 16;
         default:
-            return 0;  // matrices: nothing that is read here uses them
+            return 0;  // smaller matrices: nothing that is read here uses them
     }
 }
 
@@ -113,7 +115,15 @@ GltfAccessor accessor_of(const tinygltf::Accessor& from) {
     accessor.count = from.count;
     accessor.component_type = from.componentType;
     accessor.components = component_count(from.type);
-    accessor.sparse = from.sparse.isSparse;
+    accessor.normalized = from.normalized;
+    accessor.is_sparse = from.sparse.isSparse;
+    if (accessor.is_sparse)
+        accessor.sparse = {static_cast<std::size_t>(from.sparse.count),
+                           from.sparse.indices.bufferView,
+                           from.sparse.indices.componentType,
+                           from.sparse.values.bufferView,
+                           static_cast<std::size_t>(from.sparse.indices.byteOffset),
+                           static_cast<std::size_t>(from.sparse.values.byteOffset)};
     return accessor;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "base/error.h"
 #include "base/units.h"
@@ -16,6 +17,7 @@
 #include "scene/gltf_parse.h"
 #include "scene/read_lamp.h"
 #include "scene/read_material.h"
+#include "scene/read_mesh.h"
 #include "scene/scene.h"
 #include "scene/surfaces.h"
 #include "scene/validate.h"
@@ -31,13 +33,12 @@ struct PlacedNode {
     glm::dmat4 to_world;
 };
 
-// Vertices of one primitive in world coordinates, double, before the scene is recentred.
-struct PlacedPrimitive {
+// A primitive and whose it is.
+struct MeshPart {
     std::size_t node = 0;
     std::string node_name, mesh_name;
     std::uint32_t material = 0;
-    std::vector<glm::dvec3> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    PlacedPrimitive placed;
 };
 
 glm::dmat4 local_transform(const GltfNode& node) {
@@ -108,9 +109,10 @@ class Reader {
 
     void warn_of_the_unread() {
         static const std::set<std::string> read = {
-            "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
-            "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
-            "BREWSTER_surface"};  // the last three are said of each material
+            "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+            "KHR_materials_ior",     "KHR_materials_specular",
+            "KHR_mesh_quantization", "KHR_materials_transmission",
+            "KHR_materials_volume",  "BREWSTER_surface"};  // the last three are said of each material
         for (const std::string& name : file_.extensions_used)
             if (read.count(name) == 0) warn("the extension " + name + " is not read");
         if (file_.has_animations) warn("animations are not played; the scene stands as its nodes say");
@@ -132,61 +134,37 @@ class Reader {
         const std::string subject = "mesh \"" + name + "\": ";
         if (node.skin >= 0) warn(subject + "its skin is not read; it stands in its rest pose");
         bool morphs = false, without_material = false, other_modes = false;
+        std::size_t mended_normals = 0;
         for (const GltfPrimitive& primitive : mesh.primitives) {
             morphs = morphs || primitive.has_morph_targets;
-            if (primitive.mode != gltf_triangles) {
+            if (primitive.mode < gltf_triangles) {
                 other_modes = true;
                 continue;
             }
+            triangle_count_ += triangle_count(file_, primitive);
+            if (triangle_count_ > most_triangles)
+                throw Error("it has more than 50 million triangles", where_, "simplify its meshes");
+            MeshPart part{placed.index, name, mesh.name, 0, place_primitive(file_, primitive, placed.to_world)};
+            part.material =
+                primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
             without_material = without_material || primitive.material < 0;
-            place_primitive(primitive, placed, name, mesh.name);
+            mended_normals += part.placed.mended_normals;
+            if (!part.placed.triangles.empty()) parts_.push_back(std::move(part));
         }
-        if (morphs) warn(subject + "its morph targets are not read");
+        if (morphs) warn(subject + "its morph targets are not read; it stands in its rest pose");
         if (without_material) warn(subject + "it has no material and gets Lambert of albedo 0.8");
-        if (other_modes)
-            warn(subject + "its points, lines, strips and fans are left out; only separate triangles are read");
+        if (other_modes) warn(subject + "its points and lines are left out; they have no surface");
+        if (mended_normals > 0)
+            warn(subject + std::to_string(mended_normals) +
+                 " of its normals have no length; the mean of the facets "
+                 "around them stands in");
     }
-
-    void place_primitive(const GltfPrimitive& primitive, const PlacedNode& placed, const std::string& node_name,
-                         const std::string& mesh_name) {
-        const GltfAccessor& positions = accessor(primitive.attributes.at("POSITION"));
-        PlacedPrimitive part{placed.index, node_name, mesh_name, 0, {}, {}};
-        part.material =
-            primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
-        const bool mirrored = glm::determinant(glm::dmat3(placed.to_world)) < 0;
-        const std::size_t corners = primitive.indices < 0 ? positions.count : accessor(primitive.indices).count;
-        triangle_count_ += corners / 3;
-        if (triangle_count_ > most_triangles)
-            throw Error("it has more than 50 million triangles", where_, "simplify its meshes");
-
-        // Only vertices that a triangle names count, for the bounds, too.
-        constexpr std::uint32_t unused = 0xffffffffu;
-        std::vector<std::uint32_t> placed_vertex(positions.count, unused);
-        const auto vertex = [&](std::size_t corner) {
-            const std::uint32_t i = primitive.indices < 0 ? static_cast<std::uint32_t>(corner)
-                                                          : read_index(file_, accessor(primitive.indices), corner);
-            if (placed_vertex[i] == unused) {
-                placed_vertex[i] = static_cast<std::uint32_t>(part.vertices.size());
-                part.vertices.emplace_back(placed.to_world *
-                                           glm::dvec4(glm::dvec3(read_position(file_, positions, i)), 1.0));
-            }
-            return placed_vertex[i];
-        };
-        for (std::size_t corner = 0; corner < corners; corner += 3) {
-            std::array<std::uint32_t, 3> triangle = {vertex(corner), vertex(corner + 1), vertex(corner + 2)};
-            if (mirrored) std::swap(triangle[1], triangle[2]);
-            part.triangles.push_back(triangle);
-        }
-        if (!part.triangles.empty()) primitives_.push_back(std::move(part));
-    }
-
-    const GltfAccessor& accessor(int index) const { return file_.accessors[static_cast<std::size_t>(index)]; }
 
     void recentre() {
-        if (primitives_.empty()) throw Error("it has no triangles", where_, "choose a file with surfaces");
+        if (parts_.empty()) throw Error("it has no triangles", where_, "choose a file with surfaces");
         glm::dvec3 low(INFINITY), high(-INFINITY);
-        for (const PlacedPrimitive& part : primitives_)
-            for (const glm::dvec3& p : part.vertices) {
+        for (const MeshPart& part : parts_)
+            for (const glm::dvec3& p : part.placed.vertices) {
                 low = glm::min(low, p);
                 high = glm::max(high, p);
             }
@@ -199,18 +177,21 @@ class Reader {
         scene_.high = glm::vec3(high - scene_.centre);
     }
 
-    // Primitives of one node and material become one part, so that their planes are charts together.
+    // Primitives of one node and material, all flat or all smooth, become one part, so that their planes are charts
+    // together.
     void add_parts() {
         std::vector<Part> parts;
-        std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> known;
-        for (const PlacedPrimitive& primitive : primitives_) {
-            const auto [at, is_new] = known.try_emplace({primitive.node, primitive.material}, parts.size());
-            if (is_new) parts.push_back({primitive.node_name, primitive.mesh_name, primitive.material, {}, {}, {}});
+        std::map<std::tuple<std::size_t, std::uint32_t, bool>, std::size_t> known;
+        for (const MeshPart& from : parts_) {
+            const PlacedPrimitive& placed = from.placed;
+            const auto [at, is_new] =
+                known.try_emplace({from.node, from.material, placed.normals.empty()}, parts.size());
+            if (is_new) parts.push_back({from.node_name, from.mesh_name, from.material, {}, {}, {}});
             Part& part = parts[at->second];
             const auto first = static_cast<std::uint32_t>(part.vertices.size());
-            for (const glm::dvec3& p : primitive.vertices) part.vertices.emplace_back(p - scene_.centre);
-            for (const auto& [a, b, c] : primitive.triangles)
-                part.triangles.push_back({first + a, first + b, first + c});
+            for (const glm::dvec3& p : placed.vertices) part.vertices.emplace_back(p - scene_.centre);
+            part.normals.insert(part.normals.end(), placed.normals.begin(), placed.normals.end());
+            for (const auto& [a, b, c] : placed.triangles) part.triangles.push_back({first + a, first + b, first + c});
         }
         std::size_t without_area = 0;
         for (const Part& part : parts) without_area += add_surfaces(scene_, part);
@@ -284,7 +265,7 @@ class Reader {
     const std::string& where_;
     Scene scene_;
     std::vector<PlacedNode> nodes_;
-    std::vector<PlacedPrimitive> primitives_;
+    std::vector<MeshPart> parts_;
     std::size_t triangle_count_ = 0;
     std::uint32_t default_material_ = no_chart;
 };

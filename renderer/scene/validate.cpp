@@ -54,9 +54,10 @@ struct Validator {
 
     void check_extensions() const {
         static const std::vector<std::string> readable = {
-            "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
-            "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
-            "BREWSTER_surface"};
+            "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+            "KHR_materials_ior",          "KHR_materials_specular",
+            "KHR_materials_transmission", "KHR_materials_volume",
+            "BREWSTER_surface",           "KHR_mesh_quantization"};
         for (const std::string& name : file.extensions_required)
             if (std::find(readable.begin(), readable.end(), name) == readable.end())
                 throw Error("it requires the extension " + name + ", which is not read", where,
@@ -82,10 +83,17 @@ struct Validator {
         const std::size_t bytes = component_bytes(accessor.component_type);
         if (bytes == 0) wrong(path + ".componentType", "is " + std::to_string(accessor.component_type) + ", unknown");
         if (accessor.count == 0) wrong(path + ".count", "is 0");
-        if (accessor.buffer_view == -1 || accessor.components == 0) return;
+        if (accessor.components == 0) return;
+        check_sparse(accessor, path);
+        if (accessor.buffer_view == -1) {
+            constexpr std::size_t most_zeros = std::size_t{1} << 22;  // no bytes vouch for their number
+            if (accessor.count > most_zeros)
+                wrong(path + ".count", "is " + std::to_string(accessor.count) + " without a bufferView, too large");
+            return;
+        }
         check_index(accessor.buffer_view, file.buffer_views, path + ".bufferView", "bufferViews");
         const GltfBufferView& view = file.buffer_views[static_cast<std::size_t>(accessor.buffer_view)];
-        const std::size_t element = bytes * static_cast<std::size_t>(accessor.components);
+        const std::size_t element = element_bytes(accessor);
         const std::size_t stride = element_stride(file, accessor);
         if (stride < element) wrong(path, "has elements that are larger than the stride of its bufferView");
         if (accessor.byte_offset % bytes != 0 || (view.byte_offset + accessor.byte_offset) % bytes != 0)
@@ -95,41 +103,77 @@ struct Validator {
             wrong(path, "with its count of " + std::to_string(accessor.count) + " ends beyond its bufferView");
     }
 
+    void check_sparse(const GltfAccessor& accessor, const std::string& accessor_path) const {
+        if (!accessor.is_sparse) return;
+        const GltfSparse& sparse = accessor.sparse;
+        const std::string path = accessor_path + ".sparse";
+        if (sparse.count == 0 || sparse.count > accessor.count)
+            wrong(path + ".count",
+                  "is " + std::to_string(sparse.count) + ", not 1 .. " + std::to_string(accessor.count));
+        const int type = sparse.indices_type;
+        if (type != gltf_unsigned_byte && type != gltf_unsigned_short && type != gltf_unsigned_int)
+            wrong(path + ".indices.componentType", "is " + std::to_string(type) + ", not an unsigned integer");
+        check_packed(sparse.indices_view, sparse.indices_offset, sparse.count, component_bytes(type),
+                     component_bytes(type), path + ".indices");
+        check_packed(sparse.values_view, sparse.values_offset, sparse.count, element_bytes(accessor),
+                     component_bytes(accessor.component_type), path + ".values");
+        for (std::size_t k = 0; k < sparse.count; ++k) {
+            const std::uint32_t index = sparse_index(file, sparse, k);
+            if (index >= accessor.count)
+                wrong(path + ".indices",
+                      "holds " + std::to_string(index) + ", but there are " + std::to_string(accessor.count));
+            if (k > 0 && index <= sparse_index(file, sparse, k - 1)) wrong(path + ".indices", "do not increase");
+        }
+    }
+
+    // `count` elements one after another, from an offset into a view.
+    void check_packed(int view_index, std::size_t offset, std::size_t count, std::size_t element, std::size_t alignment,
+                      const std::string& path) const {
+        check_index(view_index, file.buffer_views, path + ".bufferView", "bufferViews");
+        const GltfBufferView& view = file.buffer_views[static_cast<std::size_t>(view_index)];
+        if ((view.byte_offset + offset) % alignment != 0)
+            wrong(path + ".byteOffset", "is not a multiple of the component's size");
+        if (offset > view.byte_length || count > (view.byte_length - offset) / element)
+            wrong(path, "with its count of " + std::to_string(count) + " ends beyond its bufferView");
+    }
+
     const GltfAccessor& check_read_accessor(int index, const std::string& path) const {
         check_index(index, file.accessors, path, "accessors");
-        const GltfAccessor& accessor = file.accessors[static_cast<std::size_t>(index)];
-        if (accessor.sparse) wrong(path, "is a sparse accessor, which is not read");
-        if (accessor.buffer_view == -1) wrong(path, "has no bufferView");
-        return accessor;
+        return file.accessors[static_cast<std::size_t>(index)];
     }
 
     void check_primitive(const GltfPrimitive& primitive, const std::string& path) const {
         check_optional_index(primitive.material, file.materials, path + ".material", "materials");
-        if (primitive.mode < 0 || primitive.mode > 6)
+        if (primitive.mode < 0 || primitive.mode > gltf_triangle_fan)
             wrong(path + ".mode", "is " + std::to_string(primitive.mode) + ", unknown");
         for (const auto& [name, index] : primitive.attributes)
             check_index(index, file.accessors, path + ".attributes." + name, "accessors");
-        if (primitive.mode != gltf_triangles) return;  // not read, see the warnings
+        if (primitive.mode < gltf_triangles) return;  // not read, see the warnings
 
         const auto found = primitive.attributes.find("POSITION");
         if (found == primitive.attributes.end()) wrong(path, "has no POSITION");
         const GltfAccessor& positions = check_read_accessor(found->second, path + ".attributes.POSITION");
-        if (positions.component_type != gltf_float || positions.components != 3)
-            wrong(path + ".attributes.POSITION", "is not a VEC3 of floats");
         std::size_t corners = positions.count;
-        if (primitive.indices != -1) corners = check_vertex_indices(primitive.indices, positions.count, path);
-        if (corners % 3 != 0) wrong(path, "has " + std::to_string(corners) + " triangle corners, not a multiple of 3");
-        check_positions(positions, path + ".attributes.POSITION");
+        if (primitive.indices != -1) corners = check_vertex_indices(primitive, positions.count, path);
+        if (primitive.mode == gltf_triangles ? corners % 3 != 0 : corners < 3)
+            wrong(path, "has " + std::to_string(corners) + " triangle corners, " +
+                            (primitive.mode == gltf_triangles ? "not a multiple of 3" : "fewer than 3"));
+        for (const auto& [name, index] : primitive.attributes)
+            check_attribute(name, check_read_accessor(index, path), positions.count, path + ".attributes." + name);
     }
 
-    std::size_t check_vertex_indices(int index, std::size_t vertices, const std::string& path) const {
-        const GltfAccessor& indices = check_read_accessor(index, path + ".indices");
+    std::size_t check_vertex_indices(const GltfPrimitive& primitive, std::size_t vertices,
+                                     const std::string& path) const {
+        const GltfAccessor& indices = check_read_accessor(primitive.indices, path + ".indices");
         const int type = indices.component_type;
         if (indices.components != 1 ||
             (type != gltf_unsigned_byte && type != gltf_unsigned_short && type != gltf_unsigned_int))
             wrong(path + ".indices", "is not a SCALAR of unsigned integers");
+        const std::uint32_t restart = 0xffffffffu >> (32 - 8 * component_bytes(type));
         for (std::size_t i = 0; i < indices.count; ++i) {
             const std::uint32_t vertex = read_index(file, indices, i);
+            if (vertex == restart && primitive.mode != gltf_triangles)
+                wrong(path + ".indices", "restarts its strip at corner " + std::to_string(i) + ", which glTF forbids");
             if (vertex >= vertices)
                 wrong(path + ".indices",
                       "holds vertex " + std::to_string(vertex) + ", but there are " + std::to_string(vertices));
@@ -137,12 +181,28 @@ struct Validator {
         return indices.count;
     }
 
-    void check_positions(const GltfAccessor& positions, const std::string& path) const {
-        for (std::size_t i = 0; i < positions.count; ++i) {
-            const glm::vec3 p = read_position(file, positions, i);
-            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    // glTF 2.0, 3.7.2.1, widened by KHR_mesh_quantization, whether the file names it or not.
+    void check_attribute(const std::string& name, const GltfAccessor& accessor, std::size_t vertices,
+                         const std::string& path) const {
+        if (name == "POSITION") {
+            if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
+        } else if (name == "NORMAL") {
+            if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
+        } else {
+            return;  // not read
+        }
+        if (accessor.count != vertices)
+            wrong(path, "holds " + std::to_string(accessor.count) + " elements for " + std::to_string(vertices) +
+                            " vertices");
+        for (std::size_t i = 0; i < accessor.count; ++i) {
+            const glm::vec4 v = read_vector(file, accessor, i);
+            if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z) || !std::isfinite(v.w))
                 wrong(path, "holds a number that is not finite at vertex " + std::to_string(i));
         }
+    }
+
+    static bool is_small_or_float(const GltfAccessor& accessor) {
+        return accessor.component_type == gltf_float || component_bytes(accessor.component_type) <= 2;
     }
 
     void check_material(std::size_t i) const {

@@ -79,6 +79,18 @@ int GltfBuilder::add_mesh(const std::string& name, const std::vector<glm::vec3>&
     return add_node({{"name", name}, {"mesh", json["meshes"].size() - 1}});
 }
 
+int GltfBuilder::add_accessor(const std::string& bytes, const std::string& type, int component_type,
+                              std::size_t count) {
+    json["accessors"].push_back(
+        {{"bufferView", add_view(bytes)}, {"componentType", component_type}, {"count", count}, {"type", type}});
+    return static_cast<int>(json["accessors"].size()) - 1;
+}
+
+void GltfBuilder::add_attribute(int mesh, const std::string& name, const std::vector<glm::vec3>& values) {
+    json["meshes"][static_cast<std::size_t>(mesh)]["primitives"][0]["attributes"][name] =
+        add_accessor(bytes_of(values), "VEC3", 5126, values.size());
+}
+
 int GltfBuilder::add_node(nlohmann::json node) {
     json["nodes"].push_back(std::move(node));
     const int index = static_cast<int>(json["nodes"].size()) - 1;

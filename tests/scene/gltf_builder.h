@@ -25,6 +25,12 @@ class GltfBuilder {
 
     int add_node(nlohmann::json node);
 
+    /// Appends an accessor of these bytes to the file; its index.
+    int add_accessor(const std::string& bytes, const std::string& type, int component_type, std::size_t count);
+
+    /// Names an accessor of floats as an attribute of the mesh's first primitive.
+    void add_attribute(int mesh, const std::string& name, const std::vector<glm::vec3>& values);
+
     /// A convex outline as a fan of triangles, counter-clockwise seen from the front.
     int add_polygon(const std::string& name, const std::vector<glm::vec3>& outline, int material = 0);
 
@@ -36,12 +42,19 @@ class GltfBuilder {
 
     nlohmann::json json;
 
+    int add_view(const std::string& bytes);  ///< a bufferView of these bytes; its index
+
   private:
-    int add_view(const std::string& bytes);
 
     std::string buffer_;
 };
 
 std::string base64(const std::string& bytes);
+
+/// The numbers' bytes, one after another.
+template <class Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+    return std::string(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+}
 
 }  // namespace brewster

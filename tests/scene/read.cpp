@@ -198,7 +198,7 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
           "material \"grey\": its roughness is not simulated where light passes",
           "material \"gold\": its roughness is taken as m = 0.8",
           "material \"grey\": its alpha mode BLEND is not simulated", "material \"gold\": its metal is not simulated",
-          "mesh \"square\": its morph targets are not read", "mesh \"square\": its points, lines, strips and fans",
+          "mesh \"square\": its morph targets are not read", "mesh \"square\": its points and lines are left out",
           "camera \"flat\": its type orthographic is not simulated"})
         EXPECT_TRUE(warns_of(scene, words)) << words;
     EXPECT_EQ(scene.warnings.size(), 11u);

@@ -35,6 +35,20 @@ struct Mutation {
 
 using J = nlohmann::json;
 
+// The square's indices are 0 1 2 0 2 3: its first two corners are replaced by themselves.
+J& make_sparse(J& file) {
+    file["accessors"][0]["sparse"] = {
+        {"count", 2}, {"indices", {{"bufferView", 1}, {"componentType", 5125}}}, {"values", {{"bufferView", 0}}}};
+    return file["accessors"][0]["sparse"];
+}
+
+// Positions do for normals.
+J& add_normals(J& file) {
+    file["accessors"].push_back(file["accessors"][0]);
+    file["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 2;
+    return file["accessors"][2];
+}
+
 const std::vector<Mutation>& mutations() {
     static const std::vector<Mutation> all = {
         {"BufferViewOfNone", [](J& f) { f["accessors"][0]["bufferView"] = 9; },
@@ -91,13 +105,41 @@ const std::vector<Mutation>& mutations() {
         {"StrideBelowElement", [](J& f) { f["bufferViews"][0]["byteStride"] = 8; },
          "elements that are larger than the stride"},
         {"StrideBeyondView", [](J& f) { f["bufferViews"][0]["byteStride"] = 252; }, "ends beyond its bufferView"},
-        {"SparsePositions",
+        {"SparseOfTooMany", [](J& f) { make_sparse(f)["count"] = 5; },
+         "\"accessors[0].sparse.count\" is 5, not 1 .. 4"},
+        {"SparseOfNone", [](J& f) { make_sparse(f)["count"] = 0; }, "sparse.count\" is 0, not 1 .. 4"},
+        {"SparseIndicesOfNoView", [](J& f) { make_sparse(f)["indices"]["bufferView"] = 7; },
+         "sparse.indices.bufferView\" is 7, but there are 2 bufferViews"},
+        {"SparseIndicesOfFloats", [](J& f) { make_sparse(f)["indices"]["componentType"] = 5126; },
+         "sparse.indices.componentType\" is 5126, not an unsigned integer"},
+        {"SparseIndicesBeyondTheView", [](J& f) { make_sparse(f)["indices"]["byteOffset"] = 20; },
+         "\"accessors[0].sparse.indices\" with its count of 2 ends beyond its bufferView"},
+        {"SparseIndicesBeyondTheCount",
          [](J& f) {
-             f["accessors"][0]["sparse"] = {{"count", 1},
-                                            {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
-                                            {"values", {{"bufferView", 0}}}};
+             make_sparse(f);
+             f["accessors"][0]["count"] = 2;
+             f["accessors"][0]["sparse"]["indices"]["byteOffset"] = 4;
          },
-         "is a sparse accessor, which is not read"},
+         "\"accessors[0].sparse.indices\" holds 2, but there are 2"},
+        {"SparseIndicesThatDoNotIncrease", [](J& f) { make_sparse(f)["indices"]["byteOffset"] = 8; },
+         "\"accessors[0].sparse.indices\" do not increase"},
+        {"SparseValuesOfNoView", [](J& f) { make_sparse(f)["values"]["bufferView"] = 7; },
+         "sparse.values.bufferView\" is 7, but there are 2 bufferViews"},
+        {"SparseValuesBeyondTheView", [](J& f) { make_sparse(f)["values"]["byteOffset"] = 36; },
+         "\"accessors[0].sparse.values\" with its count of 2 ends beyond its bufferView"},
+        {"SparseValuesMisaligned", [](J& f) { make_sparse(f)["values"]["byteOffset"] = 2; },
+         "sparse.values.byteOffset\" is not a multiple of the component's size"},
+        {"SparseWithoutValues", [](J& f) { make_sparse(f).erase("values"); }, "not valid glTF 2.0"},
+        {"ManyZeros",
+         [](J& f) {
+             f["accessors"][0].erase("bufferView");
+             f["accessors"][0]["count"] = 100000000;
+         },
+         "\"accessors[0].count\" is 100000000 without a bufferView, too large"},
+        {"NormalsInPairs", [](J& f) { add_normals(f)["type"] = "VEC2"; },
+         "attributes.NORMAL\" is not a VEC3 of floats"},
+        {"NormalsOfOtherCount", [](J& f) { add_normals(f)["count"] = 3; },
+         "attributes.NORMAL\" holds 3 elements for 4 vertices"},
         {"BufferTooShort", [](J& f) { f["buffers"][0]["byteLength"] = 71; }, "not valid glTF 2.0"},
         {"BrokenBase64", [](J& f) { f["buffers"][0]["uri"] = "data:application/octet-stream;base64,@@@@"; },
          "not valid glTF 2.0"},
@@ -283,6 +325,16 @@ TEST_P(Malformed, EndsInWords) {
 
 INSTANTIATE_TEST_SUITE_P(Files, Malformed, testing::ValuesIn(mutations()),
                          [](const auto& each) { return each.param.name; });
+
+TEST(Validate, RestartsOfStrips) {
+    GltfBuilder file;
+    file.add_material("grey", {0.5, 0.5, 0.5});
+    file.add_mesh("strip", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {255, 1, 2}}, 0, 5121);
+    file.json["meshes"][0]["primitives"][0]["mode"] = 5;
+    EXPECT_NE(message_of(file.text()).find("restarts its strip at corner 3, which glTF forbids"), std::string::npos);
+    file.json["accessors"][1]["count"] = 2;
+    EXPECT_NE(message_of(file.text()).find("has 2 triangle corners, fewer than 3"), std::string::npos);
+}
 
 TEST(Validate, VertexIndicesBeyondTheVertices) {
     GltfBuilder file;
