@@ -13,7 +13,7 @@ void check(const Material& material) {
     BREWSTER_CHECK(material.base != Base::lambert || !interface.present(), material.name);
     BREWSTER_CHECK(material.base != Base::polarized_diffuse || interface.kind == InterfaceKind::dielectric,
                    material.name);
-    BREWSTER_CHECK(material.base != Base::transparent || (interface.kind == InterfaceKind::dielectric && smooth),
+    BREWSTER_CHECK(material.base != Base::transparent || (interface.kind != InterfaceKind::conductor && smooth),
                    material.name);
     BREWSTER_CHECK(interface.present() || smooth, material.name);
     BREWSTER_CHECK(interface.finish != Finish::beckmann || interface.slope > 0, material.name);

@@ -23,7 +23,7 @@ class PreparedMaterial {
     bool thin = false;
     bool achromatic = true;  ///< n and k are those of band 0 in all bands
     std::array<float, band_count> n{}, k{};
-    float refracting_n = 1;  ///< transparent: mean of the bands, for all of them; no dispersion is simulated
+    float refracting_n = 1;  ///< transparent: mean of the bands, for all of them; no dispersion is simulated; air: 1
     float slope = 0;         ///< m
     std::array<float, band_count> phase{};  ///< Kirchhoff: 4 pi sigma / lambda
     /// Of the base: rho/(pi n^2 (1 - rho Fi)), 1/sr, and its share of entered power that leaves again.
