@@ -4,7 +4,7 @@
 
 namespace brewster {
 
-std::optional<glm::vec3> seen_point(const Scene& scene, const Rays& rays, glm::vec3 eye, glm::vec3 direction) {
+std::optional<glm::vec3> seen_point(const Rays& rays, glm::vec3 eye, glm::vec3 direction) {
     constexpr int most_backs = 64;
     std::array<Ray, 1> ray = {Ray{eye, direction, no_triangle}};
     std::array<Hit, 1> hit;
