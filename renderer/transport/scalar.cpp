@@ -96,7 +96,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         const float xi_turn = first ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
         ray.origin = hit.position;
         ray.direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, xi_radius, xi_turn);
-        ray.leaving = chart.surface;
+        ray.leaving = hit.triangle;
     }
     book(sums.ledger.cut, weight);
 }
