@@ -60,8 +60,8 @@ class Joints {
         if (a == b) return true;
         const auto xa = coordinates(a, v), xb = coordinates(b, v);
         const glm::dvec3 value_a = leaves_[a].linear(xa), value_b = leaves_[b].linear(xb);
-        const double fa = LinearFit(*leaves_[a].geometry).variance_factor(xa);
-        const double fb = LinearFit(*leaves_[b].geometry).variance_factor(xb);
+        const double fa = LinearFit<2>(*leaves_[a].geometry, leaves_[a].geometry->area).variance_factor(xa);
+        const double fb = LinearFit<2>(*leaves_[b].geometry, leaves_[b].geometry->area).variance_factor(xb);
         for (int band = 0; band < 3; ++band) {
             const double ea = leaves_[a].standard_error[band], eb = leaves_[b].standard_error[band];
             const double difference = std::abs(value_a[band] - value_b[band]);

@@ -21,9 +21,17 @@ inline vec4 fetch_leaf_texel(const Snapshot& bins, uint index) {
     return bins.leaves[index];
 }
 
+inline uvec2 fetch_gloss_node(const Snapshot& bins, uint index) {
+    return bins.gloss.nodes[index];
+}
+inline vec4 fetch_gloss_texel(const Snapshot& bins, uint index) {
+    return bins.gloss.leaves[index];
+}
+
 #define BREWSTER_FUNCTION inline
 #define BREWSTER_BINS_PARAMETER const Snapshot &bins,
 #define BREWSTER_BINS bins,
+#include "shared/gloss_lookup.h"
 #include "shared/lookup.h"
 #undef BREWSTER_FUNCTION
 #undef BREWSTER_BINS_PARAMETER

@@ -67,6 +67,23 @@ struct EntryFields {
     bool operator==(const EntryFields&) const = default;
 };
 
+/// The fields of gloss: components of the Stokes vector of the polarized world, then S0 of the unpolarized one where it
+/// differs.
+struct GlossFields {
+    int bands = band_count;
+    int components = 1;  ///< 1, 3 or 4; 1: both worlds are the same
+
+    int worlds() const { return components > 1 ? 2 : 1; }
+    int unpolarized_field() const { return components > 1 ? components : 0; }
+    RecordLayout<4> layout() const {
+        RecordLayout<4> layout{bands, components + worlds() - 1, 0, {}};
+        for (int field = 1; field < layout.fields; ++field)
+            layout.side_field[static_cast<std::size_t>(layout.side_fields++)] = field;
+        return layout;
+    }
+    bool operator==(const GlossFields&) const = default;
+};
+
 /// Sums of one cell over everything that landed in it since it came to be.
 struct CellSums {
     std::span<const Wide> estimate, test;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/units.h"
 #include "bins/bin_settings.h"
 #include "bins/outline.h"
 #include "bins/record.h"
@@ -41,6 +42,19 @@ struct Cell {
     std::uint64_t birth = 0;               ///< photons emitted when it came to be
     std::vector<std::uint32_t> triangles;  ///< of the outline, inside the box; empty where the cell is full
 };
+
+/// What a density is per: m2 of surface, times projected solid angle where there are directions (the whole square of
+/// directions is pi).
+template <int D>
+double cell_measure(const Cell<D>& cell) {
+    double measure = cell.geometry.area;
+    if constexpr (D == 4) {
+        measure *= pi;
+        for (std::size_t a = 2; a < D; ++a)
+            measure *= static_cast<double>(cell.box.high[a] - cell.box.low[a]) / BREWSTER_UV_ONE;
+    }
+    return measure;
+}
 
 /// The trees of all charts, over position (D = 2) or position and direction (D = 4): descent for photons, sums and
 /// splits at batch ends. Topology changes only in `split_leaves`, so photons of a batch may descend from any thread.

@@ -44,6 +44,7 @@ EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
     EmittedPhoton emitted;
     emitted.ray = {start.position, start.direction, start.leaving};
     emitted.weight = weights_[lamp];
+    emitted.lamp = lamp;
     return emitted;
 }
 

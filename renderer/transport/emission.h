@@ -16,6 +16,7 @@ namespace brewster {
 struct EmittedPhoton {
     Ray ray;
     glm::vec3 weight{0.0f};
+    std::uint32_t lamp = 0;  ///< in Scene::lamps
 };
 
 /// Chooses lamps by their power and starts on them, by an Owen-scrambled Sobol sequence a replica (photon index mod 8):

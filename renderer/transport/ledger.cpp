@@ -3,18 +3,22 @@
 namespace brewster {
 
 void Ledger::add(const Ledger& other) {
-    for (std::size_t b = 0; b < emitted.size(); ++b) {
-        emitted[b] += other.emitted[b];
-        absorbed[b] += other.absorbed[b];
-        escaped[b] += other.escaped[b];
-        cut[b] += other.cut[b];
-        roulette[b] += other.roulette[b];
-    }
+    for (std::size_t w = 0; w < world_count; ++w)
+        for (std::size_t b = 0; b < band_count; ++b) {
+            emitted[w][b] += other.emitted[w][b];
+            absorbed[w][b] += other.absorbed[w][b];
+            escaped[w][b] += other.escaped[w][b];
+            cut[w][b] += other.cut[w][b];
+            corrected[w][b] += other.corrected[w][b];
+            roulette[w][b] += other.roulette[w][b];
+        }
 }
 
 bool Ledger::balances() const {
-    for (std::size_t b = 0; b < emitted.size(); ++b)
-        if (emitted[b] != absorbed[b] + escaped[b] + cut[b] + roulette[b]) return false;
+    for (std::size_t w = 0; w < world_count; ++w)
+        for (std::size_t b = 0; b < band_count; ++b)
+            if (emitted[w][b] != absorbed[w][b] + escaped[w][b] + cut[w][b] + corrected[w][b] + roulette[w][b])
+                return false;
     return true;
 }
 

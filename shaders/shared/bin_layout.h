@@ -10,9 +10,16 @@
 //
 // Chart, two words: root node of the direct light, root node of the indirect light.
 
+// Gloss has trees of its own over (u, v) and the direction of leaving light on the unit square (direction_map.h), with
+// axes 2 and 3. Leaf: for each field five texels, a constant and the slopes along the four cell coordinates of [-1, 1],
+// each red, green, blue. Fields: S0, S1, .. of the polarized world, then S0 of the unpolarized one if there are more than
+// one. Values are radiance in cd/m2, in the frame carried from the chart's u axis (theory 4). The fourth floats of the
+// first three texels hold the standard error of the field in red, green, blue.
+
 #define BREWSTER_UV_BITS 24
 #define BREWSTER_UV_ONE 16777216u
 #define BREWSTER_NODE_LEAF 0x80000000u
 #define BREWSTER_NODE_AXIS_SHIFT 29
 #define BREWSTER_NODE_INDEX 0x1fffffffu
 #define BREWSTER_LEAF_TEXELS 4u
+#define BREWSTER_GLOSS_FIELD_TEXELS 5u

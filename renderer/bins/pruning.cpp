@@ -1,0 +1,170 @@
+#include "bins/pruning.h"
+
+namespace brewster {
+
+template <int D>
+Pruning<D>::Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings)
+    : tree_(tree), pending_(pending), photons_(photons), settings_(settings) {
+    gather_spreads();
+}
+
+template <int D>
+const Quanta* Pruning<D>::pending_estimate(std::uint32_t node) const {
+    return pending_ && tree_.node(node).is_leaf() ? pending_->estimate(tree_.node(node).leaf()) : nullptr;
+}
+
+template <int D>
+const Quanta* Pruning<D>::pending_test(std::uint32_t node) const {
+    return pending_ && tree_.node(node).is_leaf() ? pending_->test(tree_.node(node).leaf()) : nullptr;
+}
+
+// Children stand behind their parents, so a walk from the back meets them first.
+template <int D>
+void Pruning<D>::gather_spreads() {
+    using Layout = RecordLayout<D>;
+    spreads_.resize(tree_.node_count());
+    for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
+        Spread& spread = spreads_[node];
+        const std::span<const Wide> own = tree_.sums(node).test;
+        const Quanta* pending = pending_test(node);
+        const auto value = [&](int row) {
+            const auto i = static_cast<std::size_t>(row);
+            return to_weight(own[i] + (pending ? pending[i] : 0));
+        };
+        spread.squares = value(Layout::squares);
+        for (int r = 0; r < replica_count; ++r)
+            spread.replicas[static_cast<std::size_t>(r)] = value(Layout::replicas + r);
+        if (tree_.node(node).is_leaf()) continue;
+        spread.add(spreads_[tree_.node(node).low_child()]);
+        spread.add(spreads_[tree_.node(node).low_child() + 1]);
+    }
+}
+
+template <int D>
+std::vector<FieldSums<D>> Pruning<D>::sums_of(int field) const {
+    std::vector<FieldSums<D>> sums(tree_.node_count());
+    for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
+        sums[node] = read_sums<D>(tree_.layout(), tree_.sums(node).estimate, pending_estimate(node), field);
+        if (tree_.node(node).is_leaf()) continue;
+        for (const std::uint32_t side : {0u, 1u}) {
+            const std::uint32_t child = tree_.node(node).low_child() + side;
+            add_child<D>(sums[node], tree_.cell(node).box, sums[child], tree_.cell(child).box);
+        }
+    }
+    return sums;
+}
+
+template <int D>
+void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fields) {
+    keep_.assign(tree_.node_count(), settings_.fixed_grid_log2 >= 0);
+    unresolved_.assign(tree_.node_count(), {});
+    // Bands count by their relative error, so that a dim band is not drowned by a bright one.
+    importance_.resize(tree_.chart_count());
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        for (std::size_t b = 0; b < band_count; ++b) {
+            const double mean = (*fields[0])[chart].weight[b] / age(chart);
+            importance_[chart][b] = mean > 0 ? 1 / (mean * mean) : 0;
+        }
+    }
+    std::vector<double> gain(tree_.node_count(), 0.0);
+    for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
+        if (settings_.fixed_grid_log2 >= 0 || tree_.node(node).is_leaf()) continue;
+        const std::uint32_t low = tree_.node(node).low_child(), high = low + 1;
+        const double time = age(low);
+        if (time <= 0) continue;
+        const Cell<D>& cell = tree_.cell(node);
+        const LinearFit<D> parent(cell);
+        const LinearFit<D> fits[2] = {LinearFit<D>(tree_.cell(low)), LinearFit<D>(tree_.cell(high))};
+        double detail = 0, noise = 0;
+        bool any = false;
+        for (const std::vector<FieldSums<D>>* field : fields) {
+            FieldSums<D> later;  // what came since the split, seen by the parent
+            for (const std::uint32_t child : {low, high})
+                add_child<D>(later, cell.box, (*field)[child], tree_.cell(child).box);
+            if (!later.any()) continue;
+            any = true;
+            for (std::size_t b = 0; b < band_count; ++b) {
+                // Per photon since the split, so that all noise weighs alike and young splits count by what they saw.
+                const double band = importance_[cell.chart][b] / time;
+                double energy = -parent.energy(later.weight[b], later.moments[b]);
+                double variance = -later.squares[b] / parent.measure();
+                for (const std::uint32_t side : {0u, 1u}) {
+                    const FieldSums<D>& child = (*field)[low + side];
+                    energy += fits[side].energy(child.weight[b], child.moments[b]);
+                    variance += child.squares[b] / fits[side].measure();
+                }
+                detail += band * energy;
+                noise += band * (D + 1) * variance;
+            }
+        }
+        if (!any) continue;
+        if (2 * time >= static_cast<double>(photons_)) {
+            std::array<double, looked_below>& below = unresolved_[node];
+            below.fill((detail - noise) / time);
+            for (std::size_t level = 1; level < looked_below; ++level)
+                below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
+        }
+        const double net = detail + gain[low] + gain[high] - 2 * settings_.prune_lambda * noise;
+        if (net > 0) {
+            gain[node] = net;
+            keep_[node] = true;
+        }
+    }
+    pool_spreads();
+}
+
+template <int D>
+void Pruning<D>::pool_spreads() {
+    std::vector<double> variance(tree_.chart_count()), squares(tree_.chart_count()), leaves(tree_.chart_count());
+    std::vector<std::uint32_t> open;
+    double scene_variance = 0, scene_squares = 0;
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        open.assign(1, chart);
+        while (!open.empty()) {
+            const std::uint32_t node = open.back();
+            open.pop_back();
+            if (!is_published_leaf(node)) {
+                open.push_back(tree_.node(node).low_child());
+                open.push_back(tree_.node(node).low_child() + 1);
+                continue;
+            }
+            variance[chart] += spreads_[node].variance();
+            squares[chart] += spreads_[node].squares;
+            leaves[chart] += 1;
+        }
+        scene_variance += variance[chart];
+        scene_squares += squares[chart];
+    }
+    constexpr double lean_on_scene = 4;  // leaves
+    const double scene_ratio = scene_squares > 0 ? scene_variance / scene_squares : 1;
+    chart_ratio_.resize(tree_.chart_count());
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        const double own = squares[chart] > 0 ? variance[chart] / squares[chart] : scene_ratio;
+        chart_ratio_[chart] = (leaves[chart] * own + lean_on_scene * scene_ratio) / (leaves[chart] + lean_on_scene);
+    }
+}
+
+template <int D>
+double Pruning<D>::variance_ratio(std::uint32_t node) const {
+    constexpr double lean_on_chart = 8;  // leaves
+    const double chart = chart_ratio_[tree_.cell(node).chart];
+    if (spreads_[node].squares <= 0) return chart;
+    return (spreads_[node].variance() / spreads_[node].squares + lean_on_chart * chart) / (1 + lean_on_chart);
+}
+
+template <int D>
+void Pruning<D>::add_excess(std::uint32_t node, const FieldSums<D>& sums, double freedom, Excess& excess) const {
+    const double time = age(node);
+    if (time <= 0) return;
+    excess.structure += unresolved_[node][looked_below - 1];
+    for (std::size_t b = 0; b < band_count; ++b) {
+        excess.noise += importance_[tree_.cell(node).chart][b] * freedom * sums.squares[b] /
+                        (cell_measure(tree_.cell(node)) * time * time);
+    }
+    excess.leaves += 1;
+}
+
+template class Pruning<2>;
+template class Pruning<4>;
+
+}  // namespace brewster

@@ -1,0 +1,65 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "bins/bin_settings.h"
+#include "bins/error_estimate.h"
+#include "bins/light_sums.h"
+#include "bins/linear_fit.h"
+#include "bins/tree.h"
+
+namespace brewster {
+
+/// What publishing a tree starts from: sums of whole subtrees, and which splits the photons so far justify.
+template <int D>
+class Pruning {
+  public:
+    static constexpr std::size_t looked_below =
+        5;  ///< levels of the tally tree under a published leaf that its bar asks
+
+    /// Keeps references. `pending`: tallies of the running batch, or null.
+    Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings);
+
+    /// Sums of a field for every node, children's included.
+    std::vector<FieldSums<D>> sums_of(int field) const;
+
+    /// Chooses the splits worth publishing for the fields whose sums are given; the first is the intensity against which
+    /// errors count. Bottom-up: a split is kept if what it adds to the parent's linear fit, plus what its children gain,
+    /// exceeds 2 lambda times its noise.
+    void choose(const std::vector<const std::vector<FieldSums<D>>*>& fields);
+
+    bool is_published_leaf(std::uint32_t node) const { return tree_.node(node).is_leaf() || !keep_[node]; }
+
+    /// Photons emitted since the cell came to be.
+    double age(std::uint32_t node) const { return static_cast<double>(photons_ - tree_.cell(node).birth); }
+
+    /// By how much sum w^2 of the first field is off as a variance in this published leaf. Stratified emission makes it
+    /// too large, paths that come back too small; the spread of the replicas says by how much. One leaf alone knows it
+    /// with seven degrees of freedom, so it leans on its chart, and that on the scene.
+    double variance_ratio(std::uint32_t node) const;
+
+    /// Adds what is known of unpublished structure under a leaf; `freedom`: numbers fitted from its photons alone.
+    void add_excess(std::uint32_t node, const FieldSums<D>& sums, double freedom, Excess& excess) const;
+
+  private:
+    const Quanta* pending_estimate(std::uint32_t node) const;
+    const Quanta* pending_test(std::uint32_t node) const;
+    void gather_spreads();
+    void pool_spreads();
+
+    const BinTree<D>& tree_;
+    const Tally<D>* pending_;
+    const std::uint64_t photons_;
+    const BinSettings& settings_;
+    std::vector<Spread> spreads_;  // per node
+    std::vector<bool> keep_;       // per node: its split is published
+    // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x measure.
+    std::vector<std::array<double, looked_below>> unresolved_;
+    std::vector<std::array<double, band_count>> importance_;  // per chart
+    std::vector<double> chart_ratio_;                         // per chart: pooled spread over sum w^2
+};
+
+extern template class Pruning<2>;
+extern template class Pruning<4>;
+
+}  // namespace brewster

@@ -1,0 +1,175 @@
+#include "bins/publish_gloss.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "bins/pruning.h"
+
+namespace brewster {
+namespace {
+
+using Sums = std::vector<FieldSums<4>>;
+
+// A linear function of the cell coordinates, one band.
+struct Linear {
+    double mean = 0;
+    std::array<double, 4> slopes{};
+
+    double steepest() const {
+        double sum = 0;
+        for (const double s : slopes) sum += std::abs(s);
+        return sum;
+    }
+};
+
+class GlossPublisher {
+  public:
+    GlossPublisher(const BinTree<4>& tree, const GlossFields& fields, const Tally<4>* pending, std::uint64_t photons,
+                   glm::dvec3 flux_per_weight, const BinSettings& settings)
+        : tree_(tree),
+          fields_(fields),
+          pruning_(tree, pending, photons, settings),
+          flux_per_weight_(flux_per_weight),
+          field_count_(static_cast<std::size_t>(fields.layout().fields)) {
+        for (int field = 0; field < fields.layout().fields; ++field) sums_.push_back(pruning_.sums_of(field));
+        std::vector<const Sums*> all;
+        for (const Sums& sums : sums_) all.push_back(&sums);
+        pruning_.choose(all);
+    }
+
+    GlossBins run() {
+        bins_.components = fields_.components;
+        for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+            const auto root = static_cast<std::uint32_t>(bins_.nodes.size());
+            bins_.roots.push_back(root);
+            bins_.nodes.emplace_back();
+            write_node(chart, root, total(sums_[0], chart), total(sums_[unpolarized()], chart));
+        }
+        return std::move(bins_);
+    }
+
+  private:
+    std::size_t unpolarized() const { return static_cast<std::size_t>(fields_.unpolarized_field()); }
+
+    // Weight per photon emitted.
+    glm::dvec3 total(const Sums& sums, std::uint32_t chart) const {
+        const auto& weight = sums[chart].weight;
+        return glm::dvec3(weight[0], weight[1], weight[2]) / pruning_.age(chart);
+    }
+
+    // What of the parent's goes to each child, by their shares since the split.
+    std::array<glm::dvec3, 2> shared_out(const Sums& sums, std::uint32_t low, const glm::dvec3& weight) const {
+        std::array<glm::dvec3, 2> parts;
+        const double low_measure = cell_measure(tree_.cell(low)), high_measure = cell_measure(tree_.cell(low + 1));
+        for (std::size_t b = 0; b < band_count; ++b) {
+            const double together = sums[low].weight[b] + sums[low + 1].weight[b];
+            const double share =
+                together > 0 ? sums[low].weight[b] / together : low_measure / (low_measure + high_measure);
+            const auto band = static_cast<int>(b);
+            parts[0][band] = weight[band] * share;
+            parts[1][band] = weight[band] * (1 - share);
+        }
+        return parts;
+    }
+
+    void write_node(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight, const glm::dvec3& unpolarized) {
+        if (pruning_.is_published_leaf(node)) {
+            const auto index = static_cast<std::uint32_t>(bins_.leaf_count());
+            bins_.nodes[slot] = {0u, BREWSTER_NODE_LEAF | index};
+            write_leaf(node, weight, unpolarized);
+            return;
+        }
+        const TreeNode& tree_node = tree_.node(node);
+        const std::uint32_t low = tree_node.low_child();
+        const auto child_slot = static_cast<std::uint32_t>(bins_.nodes.size());
+        bins_.nodes.resize(child_slot + 2);
+        bins_.nodes[slot] = {tree_node.split, tree_node.axis() << BREWSTER_NODE_AXIS_SHIFT | child_slot};
+        const auto parts = shared_out(sums_[0], low, weight);
+        const auto unpolarized_parts = shared_out(sums_[this->unpolarized()], low, unpolarized);
+        for (const std::uint32_t side : {0u, 1u})
+            write_node(low + side, child_slot + side, parts[side], unpolarized_parts[side]);
+    }
+
+    void write_leaf(std::uint32_t node, const glm::dvec3& weight, const glm::dvec3& unpolarized) {
+        const LinearFit<4> fit(tree_.cell(node));
+        const double ratio = pruning_.variance_ratio(node);
+        std::array<Linear, band_count> intensity;
+        for (std::size_t field = 0; field < field_count_; ++field) {
+            const bool is_intensity = field == 0 || field == this->unpolarized();
+            const glm::dvec3& share = field == 0 || field != this->unpolarized() ? weight : unpolarized;
+            glm::vec4* texels = append_field();
+            for (std::size_t b = 0; b < band_count; ++b) {
+                const auto band = static_cast<int>(b);
+                const double density = flux_per_weight_[band] * share[band] / fit.measure();
+                // All of a polarized field is relative to the intensity's sum in the same leaf.
+                const double denominator = sums_[is_intensity ? field : 0][node].weight[b];
+                Linear linear = fitted(fit, sums_[field][node], b, denominator > 0 ? density / denominator : 0);
+                const double bound = is_intensity ? linear.mean : intensity[b].mean;
+                limit(linear, bound, is_intensity);
+                if (field == 0) intensity[b] = linear;
+                const double error = denominator > 0
+                                         ? density * std::sqrt(ratio * sums_[field][node].squares[b]) / denominator
+                                         : empty_error(field, node, b, fit.measure());
+                write_band(texels, band, fit, linear, error);
+            }
+        }
+    }
+
+    glm::vec4* append_field() {
+        const std::size_t begin = bins_.leaves.size();
+        bins_.leaves.resize(begin + BREWSTER_GLOSS_FIELD_TEXELS);
+        return &bins_.leaves[begin];
+    }
+
+    static Linear fitted(const LinearFit<4>& fit, const FieldSums<4>& sums, std::size_t b, double scale) {
+        Linear linear;
+        linear.mean = scale * sums.weight[b];
+        linear.slopes = fit.weighted_slope(sums.weight[b], sums.moments[b]);
+        for (double& s : linear.slopes) s *= scale;
+        return linear;
+    }
+
+    // An intensity must not fall below zero in a corner, a polarized field not grow beyond the mean intensity.
+    static void limit(Linear& linear, double bound, bool is_intensity) {
+        const double room = is_intensity ? linear.mean : std::max(0.0, bound - std::abs(linear.mean));
+        const double steepest = linear.steepest();
+        if (steepest <= room) return;
+        for (double& s : linear.slopes) s *= steepest > 0 ? room / steepest : 0;
+    }
+
+    // Nothing landed here: not known better than one photon of the chart's mean weight.
+    double empty_error(std::size_t field, std::uint32_t node, std::size_t b, double measure) const {
+        const FieldSums<4>& chart = sums_[field == this->unpolarized() ? field : 0][tree_.cell(node).chart];
+        const double one = chart.weight[b] > 0 ? chart.squares[b] / chart.weight[b] : 0;
+        const double age = pruning_.age(node);
+        return age > 0 ? flux_per_weight_[static_cast<int>(b)] * one / (age * measure) : 0;
+    }
+
+    static void write_band(glm::vec4* texels, int band, const LinearFit<4>& fit, const Linear& linear, double error) {
+        double constant = linear.mean;
+        for (std::size_t a = 0; a < 4; ++a) constant -= linear.slopes[a] * fit.mean(a);
+        texels[0][band] = static_cast<float>(constant);
+        for (std::size_t a = 0; a < 4; ++a) texels[1 + a][band] = static_cast<float>(linear.slopes[a]);
+        texels[band].w = static_cast<float>(error);
+    }
+
+    const BinTree<4>& tree_;
+    const GlossFields fields_;
+    Pruning<4> pruning_;
+    const glm::dvec3 flux_per_weight_;
+    const std::size_t field_count_;
+    std::vector<Sums> sums_;  // per field, per node
+    GlossBins bins_;
+};
+
+}  // namespace
+
+GlossBins publish_gloss(const BinTree<4>& tree, const GlossFields& fields, const Tally<4>* pending,
+                        std::uint64_t photons, glm::dvec3 flux_per_weight, const BinSettings& settings) {
+    BREWSTER_CHECK(photons > 0, "nothing to publish before the first photon");
+    BREWSTER_CHECK(tree.layout() == fields.layout(), "the tree keeps other fields");
+    return GlossPublisher(tree, fields, pending, photons, flux_per_weight, settings).run();
+}
+
+}  // namespace brewster

@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "bins/tree.h"
+#include "scene/prepared_material.h"
+#include "scene/rays.h"
+#include "scene/scene.h"
+#include "transport/emission.h"
+#include "transport/gloss_charts.h"
+#include "transport/ledger.h"
+
+namespace brewster {
+
+/// What photons did, added up over a thread's share.
+struct TransportCounts {
+    std::uint64_t photons = 0;
+    std::uint64_t useful = 0;   ///< photons that deposited at least once
+    std::uint64_t bounces = 0;  ///< surfaces hit
+    std::uint64_t rays = 0;
+    std::uint64_t trouble = 0;  ///< photons given up: a number was not finite
+
+    void add(const TransportCounts& other);
+};
+
+/// The trees that photons file into, and what their records hold.
+struct Bins {
+    /// `outlines`: of all charts of the scene.
+    Bins(const std::vector<Outline>& outlines, GlossCharts gloss_charts_in, const EntryFields& entry_in,
+         const GlossFields& gloss_in, const BinSettings& settings);
+
+    EntryFields entry_fields;
+    GlossFields gloss_fields;
+    GlossCharts gloss_charts;
+    BinTree<2> entry;  ///< what enters bases, of all charts
+    BinTree<4> gloss;  ///< what rough interfaces send on, of gloss_charts in their order
+};
+
+/// Everything one worker tallies.
+struct WorkerSums {
+    explicit WorkerSums(const Bins& bins) : entry(bins.entry.layout()), gloss(bins.gloss.layout()) {}
+
+    /// Makes room for all leaves; a tally that holds sums keeps them.
+    void fit(const Bins& bins) {
+        entry.resize(bins.entry.leaf_count());
+        gloss.resize(bins.gloss.leaf_count());
+    }
+
+    Tally<2> entry;
+    Tally<4> gloss;
+    Ledger ledger;
+    TransportCounts counts;
+};
+
+/// What a kernel needs to know; constant while photons fly.
+struct TransportContext {
+    const Scene& scene;
+    const Rays& rays;
+    const PhotonEmission& emission;
+    const std::vector<PreparedMaterial>& materials;
+    const Bins& bins;
+    std::uint64_t seed = 1;
+};
+
+}  // namespace brewster
