@@ -142,6 +142,37 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
         ->type_name("FILE");
 }
 
+void add_compare_options(CLI::App& verb, CompareOptions& options) {
+    verb.add_option("picture", options.picture, "An EXR picture")->required()->type_name("A.exr");
+    verb.add_option("reference", options.reference, "What it is measured against, of the same size")
+        ->required()
+        ->type_name("B.exr");
+    CLI::Option* scene =
+        verb.add_option("--scene", options.scene, "The scene that both show, for --region")->type_name("SCENE");
+    CLI::Option* camera =
+        verb.add_option("--camera", options.camera, "The camera that took them, for --region")->type_name("NAME");
+    verb.add_option("--region", options.regions, "Only pixels that show nothing but these meshes")
+        ->type_name("MESH,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->needs(scene)
+        ->needs(camera);
+    add_whole_number(verb, "--block", "Compare means over blocks of so many pixels a side (default 1)", 1, 4096,
+                     [&](std::uint64_t side) { options.block = static_cast<int>(side); })
+        ->type_name("N");
+    add_number(verb, "--epsilon", "Share of the mean below which errors are relative to that share (default 0.01)",
+               1e-6, 1e6, [&](double epsilon) { options.epsilon = epsilon; })
+        ->type_name("E");
+    verb.add_option("--out", options.out,
+                    "Write the difference, .exr, or .png: orange where the picture is brighter, blue where darker")
+        ->type_name("FILE");
+    add_number(verb, "--full-scale", "Relative difference of full colour in a .png (default 0.1)", 1e-6, 1e6,
+               [&](double full) { options.full_scale = full; })
+        ->type_name("X");
+    add_json(verb, options.json);
+    verb.footer("Example: brewster compare front.exr reference.exr --block 8 --out difference.png");
+}
+
 std::vector<std::string> option_names(const CLI::App& verb) {
     std::vector<std::string> names;
     for (const CLI::Option* option : verb.get_options()) {
@@ -228,12 +259,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     info_verb->footer("Example: brewster info assets/scenes/cornell-box.gltf");
 
     CLI::App* compare_verb = program.add_subcommand("compare", "Say how far a picture is from a reference");
-    compare_verb->add_option("picture", compare.picture, "An EXR picture")->required()->type_name("A.exr");
-    compare_verb->add_option("reference", compare.reference, "What it is measured against, of the same size")
-        ->required()
-        ->type_name("B.exr");
-    add_json(*compare_verb, compare.json);
-    compare_verb->footer("Example: brewster compare front.exr reference.exr --json");
+    add_compare_options(*compare_verb, compare);
 
     refuse_unknown_verb(program, argc, argv);
     const auto chosen = [&]() -> const CLI::App& {

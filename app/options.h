@@ -8,6 +8,7 @@
 #include "app/numbers.h"
 #include "display/maps.h"
 #include "engine/engine.h"
+#include "image/compare.h"
 
 namespace brewster {
 
@@ -39,7 +40,13 @@ struct InfoOptions {
 };
 
 struct CompareOptions {
-    std::string picture, reference;  ///< paths of EXR files
+    std::string picture, reference;    ///< paths of EXR files
+    std::string scene, camera;         ///< what both pictures show; needed for a region
+    std::vector<std::string> regions;  ///< meshes; empty: the whole picture
+    int block = 1;                     ///< pixels a side of the blocks whose means are compared
+    double epsilon = default_epsilon;  ///< see compare in image/compare.h
+    std::string out;                   ///< a difference picture, .png or .exr; empty: none
+    double full_scale = 0.1;           ///< relative difference of full colour in a .png
     bool json = false;
 };
 

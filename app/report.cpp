@@ -83,7 +83,18 @@ Json band_object(const BandDifference& band) {
                    {"rmse", band.rmse},   {"relative_rmse", band.relative_rmse},
                    {"bias", band.bias},   {"bias_standard_error", nullptr}};
     if (band.bias_standard_error) object["bias_standard_error"] = *band.bias_standard_error;
+    Json percentiles = Json::object();
+    for (std::size_t k = 0; k < difference_percentiles.size(); ++k)
+        percentiles[std::to_string(difference_percentiles[k])] = band.percentiles[k];
+    object["relative_percentiles"] = percentiles;
     return object;
+}
+
+Json polarization_object(const BandPolarization& band) {
+    return {{"mean_dolp", band.mean_dolp_a},      {"reference_mean_dolp", band.mean_dolp_b},
+            {"dolp_rmse", band.dolp_rmse},        {"dolp_bias", band.dolp_bias},
+            {"aolp_pixels", band.aolp_pixels},    {"aolp_rmse_degrees", band.aolp_rmse},
+            {"aolp_bias_degrees", band.aolp_bias}};
 }
 
 }  // namespace
@@ -150,7 +161,14 @@ std::string compare_report(const PictureDifference& difference) {
         }
         components["S" + std::to_string(component)] = object;
     }
-    return text_of({{"pixels", difference.pixels}, {"components", components}});
+    Json report = {{"pixels", difference.pixels}, {"components", components}};
+    if (difference.polarization) {
+        Json object = Json::object();
+        for (std::size_t band = 0; band < 3; ++band)
+            object[std::string(1, band_letters[band])] = polarization_object((*difference.polarization)[band]);
+        report["polarization"] = object;
+    }
+    return text_of(report);
 }
 
 }  // namespace brewster

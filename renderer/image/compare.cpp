@@ -51,15 +51,28 @@ struct Channels {
     const Pixels* variance_b;
 };
 
-BandDifference difference(const Channels& channels, double mean_s0, const std::vector<std::size_t>& region) {
+// The least value that so many percent of the values stay below or at.
+std::array<double, 4> percentiles_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    std::array<double, 4> result{};
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        const std::size_t percent = static_cast<std::size_t>(difference_percentiles[k]);
+        result[k] = values[(percent * values.size() + 99) / 100 - 1];
+    }
+    return result;
+}
+
+BandDifference difference(const Channels& channels, double floor, const std::vector<std::size_t>& region) {
     const double n = static_cast<double>(region.size());
-    const double floor = 0.01 * mean_s0;
+    std::vector<double> relative;
+    relative.reserve(region.size());
     double squares = 0, relative_squares = 0, bias = 0, variance = 0;
     for (const std::size_t i : region) {
         const double a = channels.a[i], b = channels.b[i];
         const double noise = channels.variance_b ? static_cast<double>((*channels.variance_b)[i]) : 0.0;
         const double scale = b * b + floor * floor;
         squares += (a - b) * (a - b);
+        relative.push_back(scale > 0 ? std::abs(a - b) / std::sqrt(scale) : 0.0);
         if (scale > 0) relative_squares += ((a - b) * (a - b) - noise) / scale;
         bias += a - b;
         variance += noise + (channels.variance_a ? static_cast<double>((*channels.variance_a)[i]) : 0.0);
@@ -70,13 +83,15 @@ BandDifference difference(const Channels& channels, double mean_s0, const std::v
     result.rmse = std::sqrt(squares / n);
     result.relative_rmse = std::sqrt(std::max(0.0, relative_squares / n));
     result.bias = bias / n;
+    result.percentiles = percentiles_of(std::move(relative));
     if (channels.variance_a || channels.variance_b) result.bias_standard_error = std::sqrt(variance) / n;
     return result;
 }
 
 }  // namespace
 
-PictureDifference compare(const Image& a, const Image& b, std::span<const std::uint8_t> mask) {
+PictureDifference compare(const Image& a, const Image& b, std::span<const std::uint8_t> mask, double epsilon) {
+    BREWSTER_CHECK(epsilon > 0, std::to_string(epsilon));
     BREWSTER_CHECK(mask.empty() || mask.size() == a.pixel_count(), std::to_string(mask.size()));
     if (a.width() != b.width() || a.height() != b.height()) {
         const auto size = [](const Image& i) { return std::to_string(i.width()) + " x " + std::to_string(i.height()); };
@@ -103,7 +118,7 @@ PictureDifference compare(const Image& a, const Image& b, std::span<const std::u
             const Channels channels{*pixels_a, *pixels_b, find(a, variance), find(b, variance)};
             if (channels.variance_a) require_finite(*channels.variance_a, region, "first");
             if (channels.variance_b) require_finite(*channels.variance_b, region, "second");
-            bands[static_cast<std::size_t>(band)] = difference(channels, mean(*s0, region), region);
+            bands[static_cast<std::size_t>(band)] = difference(channels, epsilon * mean(*s0, region), region);
         }
         if (complete) result.components[static_cast<std::size_t>(component)] = bands;
         if (!complete && component == 0) {
@@ -111,6 +126,7 @@ PictureDifference compare(const Image& a, const Image& b, std::span<const std::u
                         "give pictures with radiance");
         }
     }
+    result.polarization = compare_polarization(a, b, mask);
     return result;
 }
 

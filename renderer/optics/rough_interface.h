@@ -1,7 +1,8 @@
 #pragma once
 #include <array>
+#include <functional>
 
-#include "optics/beckmann.h"
+#include "optics/poisson_lobes.h"
 #include "optics/polarized_diffuse.h"
 
 namespace brewster {
@@ -16,11 +17,16 @@ struct DirectionalAlbedo {
 /// n - i k the relative index (k = 0: dielectric of n above or below 1), m > 0, cos_theta in (0, 1].
 DirectionalAlbedo directional_albedo(double cos_theta, double n, double k, double m, int panels);
 
+/// The same of model E1R over a dielectric of index n, its mirror part included, at one wavelength.
+DirectionalAlbedo directional_albedo(double cos_theta, double n, const OrderRules& rules,
+                                     const KirchhoffSurface<double, 1>& surface, int panels);
+
 /// The directional albedo of one rough dielectric interface, tabulated for the photon loop, and the base under it:
 /// entry row and exit column (1 - E, -E1), so that reflected + base = 1 for rho = 1 and both polarizations.
 class RoughInterface {
   public:
-    RoughInterface(double n, double m);
+    RoughInterface(double n, double m);                                                             ///< model V
+    RoughInterface(double n, const OrderRules& rules, const KirchhoffSurface<double, 1>& surface);  ///< model E1R
 
     double external_reflectance() const { return external_; }  ///< Fe = 2 int E cos dcos, of the table itself
     double internal_reflectance() const { return 1 - (1 - external_) / (n_ * n_); }
@@ -44,6 +50,8 @@ class RoughInterface {
     }
 
   private:
+    RoughInterface(double n, const std::function<DirectionalAlbedo(double)>& albedo_at);
+
     static constexpr int rows = 129;  // evenly in sqrt(cos_theta): albedos are steep towards grazing incidence
     std::array<std::array<float, 2>, rows> table_;  // 1 - E, -E1
     double n_, external_;

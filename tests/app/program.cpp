@@ -146,6 +146,40 @@ TEST(Program, ShotComparesWithItself) {
     }
 }
 
+TEST(Program, CompareLooksAtRegionsAndBlocksAndDrawsTheDifference) {
+    const std::string folder = fresh_folder();
+    for (const char* seed : {"1", "2"}) {
+        const ProcessResult shot =
+            brewster({"shot", cornell_box, "--photons", "2e4", "--samples", "2", "--size", "48x48", "--camera", "front",
+                      "--seed", seed, "--out", std::string(seed) + ".exr"},
+                     folder);
+        ASSERT_EQ(shot.exit_code, 0) << shot.errors;
+    }
+    const auto report = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"compare", "1.exr", "2.exr", "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult result = brewster(arguments, folder);
+        EXPECT_EQ(result.exit_code, 0) << result.errors;
+        return json::parse(result.output);
+    };
+    const json whole = report({"--out", "difference.png"}), blocks = report({"--block", "8", "--out", "d.exr"});
+    const json floor = report({"--scene", cornell_box, "--camera", "front", "--region", "floor"});
+    EXPECT_EQ(whole["pixels"], 48 * 48);
+    EXPECT_EQ(blocks["pixels"], 6 * 6);
+    EXPECT_GT(floor["pixels"], 48 * 48 / 20);
+    EXPECT_LT(floor["pixels"], 48 * 48 / 3);
+    const auto rmse = [](const json& of) { return of["components"]["S0"]["R"]["rmse"].get<double>(); };
+    EXPECT_LT(rmse(blocks), rmse(whole));
+    EXPECT_GT(fs::file_size(folder + "/difference.png"), 100u);
+    EXPECT_GT(fs::file_size(folder + "/d.exr"), 100u);
+    expect_sentence(
+        brewster({"compare", "1.exr", "2.exr", "--scene", cornell_box, "--camera", "front", "--region", "flor"},
+                 folder),
+        1, "floor");
+    expect_sentence(brewster({"compare", "1.exr", "2.exr", "--out", "difference.jpg"}, folder), 1, ".png");
+    EXPECT_EQ(brewster({"compare", "1.exr", "2.exr", "--region", "floor"}, folder).exit_code, 2);
+}
+
 TEST(Program, UnknownCameraIsSuggested) {
     const ProcessResult result = brewster({"shot", cornell_box, "--camera", "frnt", "--photons", "1e7"});
     expect_sentence(result, 1, "did you mean 'front'");

@@ -47,6 +47,20 @@ TEST(Compare, DarkPixelsAreJudgedAgainstOnePercentOfTheMean) {
     EXPECT_NEAR(red(compare(radiance({0.01f, 2}), radiance({0, 2}))).relative_rmse, std::sqrt(0.5), 1e-6);
 }
 
+TEST(Compare, EpsilonIsAShareOfTheMean) {
+    const PictureDifference difference = compare(radiance({0.01f, 2}), radiance({0, 2}), {}, 0.1);
+    EXPECT_NEAR(red(difference).relative_rmse, 0.1 * std::sqrt(0.5), 1e-6);
+}
+
+// Relative differences 0.00, 0.01, .., 0.99 (but for e): 50 % of them end with 0.49.
+TEST(Compare, PercentilesOfRelativeDifferences) {
+    std::vector<float> a(100), b(100, 1.0f);
+    for (std::size_t i = 0; i < 100; ++i) a[(i * 37) % 100] = 1.0f + 0.01f * static_cast<float>(i);
+    const BandDifference band = red(compare(radiance(a), radiance(b)));
+    const std::array<double, 4> expected = {0.49, 0.89, 0.98, 0.99};
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(band.percentiles[k], expected[k], 1e-4);
+}
+
 TEST(Compare, MaskSelectsTheRegion) {
     const std::vector<std::uint8_t> mask = {0, 1, 1};
     const PictureDifference difference = compare(radiance({100, 2, 3}), radiance({1, 2, 4}), mask);
