@@ -53,7 +53,7 @@ const TextureReader::Picture& TextureReader::picture(int image) {
     return pictures_.emplace(image, decoded(static_cast<std::size_t>(image))).first->second;
 }
 
-const Texture* TextureReader::read(int texture) {
+const SurfaceTexture* TextureReader::read(int texture) {
     if (texture < 0) return nullptr;
     const GltfTexture& from = file_.textures[static_cast<std::size_t>(texture)];
     if (from.source < 0) {
@@ -77,7 +77,7 @@ const Texture* TextureReader::read(int texture) {
 std::uint32_t TextureReader::keep(int texture) {
     const auto known = numbers_.find(texture);
     if (known != numbers_.end()) return known->second;
-    const Texture* found = read(texture);
+    const SurfaceTexture* found = read(texture);
     if (!found) return no_texture;
     kept_.push_back(*found);
     return numbers_[texture] = static_cast<std::uint32_t>(kept_.size() - 1);

@@ -20,12 +20,12 @@ class TextureReader {
         : file_(file), where_(where), warnings_(warnings) {}
 
     /// Texture of this index in the file; null where there is none to read. The pointer holds until the next call.
-    const Texture* read(int texture);
+    const SurfaceTexture* read(int texture);
 
     /// The number in `textures` of one that `read` has found.
     std::uint32_t keep(int texture);
 
-    std::vector<Texture> take() { return std::move(kept_); }
+    std::vector<SurfaceTexture> take() { return std::move(kept_); }
 
   private:
     using Texels = std::shared_ptr<const std::vector<std::uint8_t>>;
@@ -42,8 +42,8 @@ class TextureReader {
     std::vector<std::string>& warnings_;
     std::map<int, Picture> pictures_;
     std::map<int, std::uint32_t> numbers_;
-    std::vector<Texture> kept_;
-    Texture last_;
+    std::vector<SurfaceTexture> kept_;
+    SurfaceTexture last_;
     std::size_t texels_ = 0;
 };
 

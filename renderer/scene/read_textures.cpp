@@ -14,13 +14,13 @@ bool is_metal(const GltfMaterial& material) {
 
 GltfMaterial with_texture_means(GltfMaterial material, const std::string& subject, TextureReader& textures,
                                 std::vector<std::string>& warnings) {
-    if (const Texture* texture = textures.read(material.metallic_roughness_texture.texture)) {
+    if (const SurfaceTexture* texture = textures.read(material.metallic_roughness_texture.texture)) {
         const glm::dvec4 mean = texture_byte_mean(*texture);
         material.roughness *= mean.y;
         material.metallic *= mean.z;
         warnings.push_back(subject + "its metallicRoughnessTexture is not simulated; its mean is");
     }
-    if (const Texture* texture = textures.read(material.emissive_texture.texture)) {
+    if (const SurfaceTexture* texture = textures.read(material.emissive_texture.texture)) {
         const glm::dvec4 mean = texture_mean(*texture);
         for (int band = 0; band < 3; ++band) material.emissive[static_cast<std::size_t>(band)] *= mean[band];
         warnings.push_back(subject + "its emissiveTexture is not simulated; it glows evenly with the mean");
@@ -30,7 +30,7 @@ GltfMaterial with_texture_means(GltfMaterial material, const std::string& subjec
         warnings.push_back(subject + "its occlusionTexture is not needed: light is traced to every corner");
     const bool uncoloured = is_metal(material) || material.transmission >= 0.5;
     if (!uncoloured || !material.base_color_texture.present()) return material;
-    if (const Texture* texture = textures.read(material.base_color_texture.texture)) {
+    if (const SurfaceTexture* texture = textures.read(material.base_color_texture.texture)) {
         const glm::dvec4 mean = texture_mean(*texture);
         for (int band = 0; band < 3; ++band) material.base_color[static_cast<std::size_t>(band)] *= mean[band];
         warnings.push_back(subject + "its baseColorTexture is not simulated on " +

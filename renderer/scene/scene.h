@@ -40,7 +40,7 @@ struct Scene {
     std::vector<Chart> charts;
     std::vector<std::vector<Contact>> contacts;  ///< per chart
     std::vector<Material> materials;
-    std::vector<Texture> textures;
+    std::vector<SurfaceTexture> textures;
     std::vector<Lamp> lamps;
     std::vector<Camera> cameras;        ///< never empty: a file without one gets the view "fit"
     std::vector<std::string> warnings;  ///< what is not simulated or was mended, a sentence each

@@ -28,7 +28,7 @@ std::size_t wrapped(float i, int count, Wrap wrap) {
     return static_cast<std::size_t>(std::clamp(inside, 0.0f, n - 1.0f));
 }
 
-glm::vec4 texel(const Texture& texture, float column, float row) {
+glm::vec4 texel(const SurfaceTexture& texture, float column, float row) {
     const std::size_t place =
         4 * (wrapped(row, texture.height, texture.wrap_v) * static_cast<std::size_t>(texture.width) +
              wrapped(column, texture.width, texture.wrap_u));
@@ -38,7 +38,7 @@ glm::vec4 texel(const Texture& texture, float column, float row) {
 }
 
 template <class Value>
-glm::dvec4 mean(const Texture& texture, const Value& value) {
+glm::dvec4 mean(const SurfaceTexture& texture, const Value& value) {
     glm::dvec4 sum(0.0);
     for (std::size_t i = 0; i < texture.texels->size(); ++i)
         sum[static_cast<int>(i % 4)] += value((*texture.texels)[i], i % 4 == 3);
@@ -52,7 +52,7 @@ float linear_of_srgb(std::uint8_t value) {
     return table[value];
 }
 
-glm::vec4 texture_at(const Texture& texture, glm::vec2 place) {
+glm::vec4 texture_at(const SurfaceTexture& texture, glm::vec2 place) {
     const float x = place.x * static_cast<float>(texture.width), y = place.y * static_cast<float>(texture.height);
     if (texture.nearest) return texel(texture, std::floor(x), std::floor(y));
     const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
@@ -62,13 +62,13 @@ glm::vec4 texture_at(const Texture& texture, glm::vec2 place) {
     return (1.0f - t) * above + t * below;
 }
 
-glm::dvec4 texture_mean(const Texture& texture) {
+glm::dvec4 texture_mean(const SurfaceTexture& texture) {
     return mean(texture, [](std::uint8_t byte, bool alpha) {
         return alpha ? static_cast<double>(byte) / 255.0 : static_cast<double>(linear_of_srgb(byte));
     });
 }
 
-glm::dvec4 texture_byte_mean(const Texture& texture) {
+glm::dvec4 texture_byte_mean(const SurfaceTexture& texture) {
     return mean(texture, [](std::uint8_t byte, bool) { return static_cast<double>(byte) / 255.0; });
 }
 

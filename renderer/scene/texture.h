@@ -12,7 +12,7 @@ inline constexpr std::uint32_t no_texture = 0xffffffffu;
 enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 
 /// A picture that colours a surface. Coordinates as in glTF: (0, 0) is the upper left corner of the first texel.
-struct Texture {
+struct SurfaceTexture {
     int width = 0, height = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> texels;  ///< RGBA, colours in sRGB, rows from the top
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
@@ -23,12 +23,12 @@ struct Texture {
 float linear_of_srgb(std::uint8_t value);
 
 /// Linear colour and alpha at a place: the texel's, or interpolated between the nearest four in linear light.
-glm::vec4 texture_at(const Texture& texture, glm::vec2 place);
+glm::vec4 texture_at(const SurfaceTexture& texture, glm::vec2 place);
 
 /// Linear mean over all texels.
-glm::dvec4 texture_mean(const Texture& texture);
+glm::dvec4 texture_mean(const SurfaceTexture& texture);
 
 /// The mean of the bytes themselves over 255, for pictures that hold numbers instead of colours.
-glm::dvec4 texture_byte_mean(const Texture& texture);
+glm::dvec4 texture_byte_mean(const SurfaceTexture& texture);
 
 }  // namespace brewster

@@ -184,11 +184,12 @@ struct Validator {
     // glTF 2.0, 3.7.2.1, widened by KHR_mesh_quantization, whether the file names it or not.
     void check_attribute(const std::string& name, const GltfAccessor& accessor, std::size_t vertices,
                          const std::string& path) const {
+        const bool coordinates = name.rfind("TEXCOORD_", 0) == 0;
         if (name == "POSITION") {
             if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
         } else if (name == "NORMAL") {
             if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
-        } else if (name.rfind("TEXCOORD_", 0) == 0) {
+        } else if (coordinates) {
             if (accessor.components != 2 || !is_small_or_float(accessor)) wrong(path, "is not a VEC2 of floats");
         } else if (name == "COLOR_0") {
             if ((accessor.components != 3 && accessor.components != 4) || !is_unsigned_or_float(accessor))
@@ -210,6 +211,9 @@ struct Validator {
             const glm::vec4 v = read_vector(file, accessor, i);
             if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z) || !std::isfinite(v.w))
                 wrong(path, "holds a number that is not finite at vertex " + std::to_string(i));
+            constexpr float furthest = 1e6f;  // beyond, floats have no texels to tell apart
+            if (coordinates && std::max(std::abs(v.x), std::abs(v.y)) > furthest)
+                wrong(path, "lies a million pictures away at vertex " + std::to_string(i));
         }
     }
 

@@ -166,7 +166,7 @@ def export(folder, name):
 def glass_and_brass():
     """A glass ball and a brass ring on a chequered floor; a lamp of 40 W and a glowing panel of order one."""
     clear()
-    room(3, 3, 2.4, material("Wall", (0.75, 0.72, 0.65), roughness=0.9),
+    room(3, 3, 2.4, material("Wall", (0.75, 0.72, 0.65), roughness=0.85),
          material("Floor.tiles", texture=image("tiles", 16, checker), interpolation="Closest", roughness=0.7,
                   scale=(2, 2)))
     sphere = bpy.ops.mesh.primitive_uv_sphere_add
@@ -186,7 +186,7 @@ def glass_and_brass():
 def sculpture():
     """A head (Suzanne, subdivided) on a wooden table by a window that the sun shines through."""
     clear()
-    room(4, 3, 2.7, material("Plaster", (0.8, 0.8, 0.78), roughness=1),
+    room(4, 3, 2.7, material("Plaster", (0.8, 0.8, 0.78), roughness=0.85),
          material("Floor.wood", texture=image("planks", 32, planks, "JPEG"), roughness=0.6), window=True)
     head = primitive(bpy.ops.mesh.primitive_monkey_add, "Head", material("Clay", (0.62, 0.36, 0.25), roughness=0.8),
                      size=0.7, location=(2.0, 1.7, 1.1), rotation=(-0.3, 0, 0.4))
@@ -206,7 +206,7 @@ def gallery():
     clear()
     room(4, 4, 3, material("Wall.white", (0.82, 0.82, 0.82), roughness=0.8), material("Floor.grey", (0.3, 0.3, 0.32)))
     quad("Screen", (1.0, 2.0, 0.2), (2.0, 0, 0), (0, 0, 1.8),
-         material("Screen.lattice", texture=image("lattice", 64, lattice), roughness=1, masked=True))
+         material("Screen.lattice", texture=image("lattice", 64, lattice), roughness=0.85, masked=True))
     painted = bpy.data.materials.new("Painted")
     painted.use_nodes = True
     colours = painted.node_tree.nodes.new("ShaderNodeVertexColor")
