@@ -67,7 +67,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
             // Light passes, and is filed as if the surface went on there: cells need not know how much of them is cut.
             if (hit.chart != no_chart) deposit(tree_, sums.bins, hit, weight, direct, replica);
             ray.origin = hit.position;
-            ray.leaving = scene_.triangles[hit.triangle].surface;
+            ray.leaving = hit.triangle;
             continue;
         }
         ++sums.counts.bounces;
@@ -106,7 +106,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         const float xi_turn = direct ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
         ray.origin = hit.position;
         ray.direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, xi_radius, xi_turn);
-        ray.leaving = chart.surface;
+        ray.leaving = hit.triangle;
         direct = false;
     }
     book(sums.ledger.cut, weight);

@@ -60,28 +60,27 @@ TEST(Albedo, RaysPassThroughHoles) {
     for (int column = 0; column < 4; ++column) {
         const float x = (static_cast<float>(column) + 0.5f) / 4;
         const bool hole = column % 2 == 0;
-        const Hit through = hit_of(scene, {x, 0.4f, 2}, {0, 0, -1}, false, no_surface);
+        const Hit through = hit_of(scene, {x, 0.4f, 2}, {0, 0, -1}, false, no_triangle);
         EXPECT_NEAR(through.distance, hole ? 2 : 1, 1e-5) << column;
         EXPECT_FALSE(through.hole);
-        const Hit stopped = hit_of(scene, {x, 0.4f, 2}, {0, 0, -1}, true, no_surface);
+        const Hit stopped = hit_of(scene, {x, 0.4f, 2}, {0, 0, -1}, true, no_triangle);
         EXPECT_NEAR(stopped.distance, 1, 1e-5);
         EXPECT_EQ(stopped.hole, hole);
         EXPECT_NE(stopped.chart, no_chart);
         // From below, and from the surface itself.
-        EXPECT_EQ(hit_of(scene, {x, 0.4f, 0.5f}, {0, 0, 1}, false, no_surface).escaped(), hole);
-        EXPECT_NEAR(hit_of(scene, stopped.position + glm::vec3(scene.centre), {0, 0, -1}, true,
-                           scene.charts[stopped.chart].surface)
-                        .distance,
-                    1, 1e-5);
+        EXPECT_EQ(hit_of(scene, {x, 0.4f, 0.5f}, {0, 0, 1}, false, no_triangle).escaped(), hole);
+        EXPECT_NEAR(
+            hit_of(scene, stopped.position + glm::vec3(scene.centre), {0, 0, -1}, true, stopped.triangle).distance, 1,
+            1e-5);
     }
 }
 
 // A back that absorbs is cut out like a front.
 TEST(Albedo, BacksHaveHolesToo) {
     const Scene scene = lattice(true);
-    EXPECT_NEAR(hit_of(scene, {0.125f, 0.4f, 2}, {0, 0, -1}, false, no_surface).distance, 2, 1e-5);
-    EXPECT_NEAR(hit_of(scene, {0.375f, 0.4f, 2}, {0, 0, -1}, false, no_surface).distance, 1, 1e-5);
-    const Hit hole = hit_of(scene, {0.125f, 0.4f, 2}, {0, 0, -1}, true, no_surface);
+    EXPECT_NEAR(hit_of(scene, {0.125f, 0.4f, 2}, {0, 0, -1}, false, no_triangle).distance, 2, 1e-5);
+    EXPECT_NEAR(hit_of(scene, {0.375f, 0.4f, 2}, {0, 0, -1}, false, no_triangle).distance, 1, 1e-5);
+    const Hit hole = hit_of(scene, {0.125f, 0.4f, 2}, {0, 0, -1}, true, no_triangle);
     EXPECT_TRUE(hole.hole);
     EXPECT_EQ(hole.chart, no_chart);
 }

@@ -53,7 +53,7 @@ Scene scene_of(const GltfBuilder& file) {
 // Albedo at a place of the square.
 glm::vec3 albedo(const Scene& scene, float x, float y) {
     const Rays rays(scene);
-    const Ray ray{glm::vec3(glm::dvec3(x, y, 1) - scene.centre), {0, 0, -1}, no_surface};
+    const Ray ray{glm::vec3(glm::dvec3(x, y, 1) - scene.centre), {0, 0, -1}, no_triangle};
     Hit hit;
     rays.intersect({&ray, 1}, {&hit, 1});
     EXPECT_FALSE(hit.escaped());
