@@ -7,6 +7,9 @@
 uniform FLOAT_TEXELS chart_materials;
 uniform sampler2D albedo_texture;  // linear; white where a chart has none
 
+// Offsets of the world that is shown, in the leaves of the direct and of the indirect light.
+uniform uvec2 shown_world;
+
 in vec2 chart_coordinates;
 flat in uint chart_index;
 in vec2 texture_place;
@@ -24,8 +27,8 @@ void main() {
     uint u = fixed_point_of(chart_coordinates.x);
     uint v = fixed_point_of(chart_coordinates.y);
     uvec2 roots = TEXEL(chart_roots, chart_index).xy;
-    BinValue direct = look_up(roots.x, u, v);
-    BinValue indirect = look_up(roots.y, u, v);
+    BinValue direct = look_up(roots.x, shown_world.x, u, v);
+    BinValue indirect = look_up(roots.y, shown_world.y, u, v);
     vec3 albedo = TEXEL(chart_materials, 3u * chart_index).rgb * mix(vec3(1.0), tint.rgb, look.x);
     vec3 reflected_share = albedo / pi;
     vec3 emission = TEXEL(chart_materials, 3u * chart_index + 1u).rgb;

@@ -65,7 +65,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         }
         if (hit.hole) {
             // Light passes, and is filed as if the surface went on there: cells need not know how much of them is cut.
-            if (hit.chart != no_chart) deposit(tree_, sums.bins, hit, weight, direct, replica);
+            if (hit.chart != no_chart) deposit(tree_, {}, sums.bins, hit, std::span(&weight.x, 3), direct, replica);
             ray.origin = hit.position;
             ray.leaving = hit.triangle;
             continue;
@@ -77,7 +77,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         }
         if (!useful) ++sums.counts.useful;
         useful = true;
-        deposit(tree_, sums.bins, hit, weight, direct, replica);
+        deposit(tree_, {}, sums.bins, hit, std::span(&weight.x, 3), direct, replica);
 
         const Chart& chart = scene_.charts[hit.chart];
         const glm::vec3 reflected = weight * nearest_lambert_at(scene_, hit);
