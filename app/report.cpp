@@ -22,10 +22,25 @@ Json list_of(glm::dvec3 value) {
     return {value.x, value.y, value.z};
 }
 
-Json account(const Ledger::Account& quanta) {
+Json account(const Ledger::Account& quanta, std::size_t world, int band_count_in) {
     Json bands = Json::array();
-    for (const Wide band : quanta) bands.push_back(decimal(band));
+    for (int band = 0; band < band_count_in; ++band)
+        bands.push_back(decimal(quanta[world][static_cast<std::size_t>(band)]));
     return bands;
+}
+
+// Of the polarized world; of the unpolarized one under its own name where it differs.
+Json ledger_object(const Ledger& ledger, const KernelChoice& kernel) {
+    const auto world = [&](std::size_t w) -> Json {
+        const auto of = [&](const Ledger::Account& quanta) { return account(quanta, w, kernel.bands); };
+        return {{"emitted", of(ledger.emitted)},     {"absorbed", of(ledger.absorbed)},
+                {"escaped", of(ledger.escaped)},     {"cut", of(ledger.cut)},
+                {"corrected", of(ledger.corrected)}, {"roulette", of(ledger.roulette)}};
+    };
+    Json object = world(0);
+    if (kernel.stokes > 1) object["unpolarized"] = world(1);
+    object["balances"] = ledger.balances();
+    return object;
 }
 
 Json solve_object(const SolveResult& result) {
@@ -44,13 +59,10 @@ Json solve_object(const SolveResult& result) {
         {"published_leaves", progress.published_leaves},
         {"bytes", progress.bytes},
         {"digest", result.digest},
-        {"ledger",
-         {{"emitted", account(ledger.emitted)},
-          {"absorbed", account(ledger.absorbed)},
-          {"escaped", account(ledger.escaped)},
-          {"cut", account(ledger.cut)},
-          {"roulette", account(ledger.roulette)},
-          {"balances", ledger.balances()}}},
+        {"bins4", progress.gloss_leaves},
+        {"transport",
+         {{"stokes", result.kernel.stokes}, {"bands", result.kernel.bands}, {"gloss", result.kernel.gloss}}},
+        {"ledger", ledger_object(ledger, result.kernel)},
         {"relative_error", progress.relative_error},
         {"first_snapshot_ms", progress.first_snapshot_ms},
         {"emission", {{"traced", progress.photons}, {"useful", progress.useful_photons}}},
@@ -100,7 +112,8 @@ Json polarization_object(const BandPolarization& band) {
 }  // namespace
 
 SolveResult result_of(const Engine& engine) {
-    return {engine.scene().name, engine.settings(), engine.progress(), engine.ledger(), engine.digest()};
+    return {engine.scene().name, engine.settings(), engine.progress(),
+            engine.ledger(),     engine.digest(),   engine.kernel()};
 }
 
 std::string decimal(Wide number) {

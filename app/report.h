@@ -18,6 +18,7 @@ struct SolveResult {
     Progress progress;
     Ledger ledger;
     std::string digest;
+    KernelChoice kernel;
 };
 
 SolveResult result_of(const Engine& engine);

@@ -85,8 +85,8 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout
     for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
     // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell
     // nothing.
-    const double first_cells =
-        std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node()));
+    const double first_cells = std::min(D == 2 ? 8192.0 : 1024.0, 0.25 * static_cast<double>(settings.memory_bytes) /
+                                                                      static_cast<double>(bytes_per_node()));
     const std::size_t contact_nodes = nodes_.size();
     for (std::uint32_t index = 0; index < contact_nodes; ++index) {
         if (!nodes_[index].is_leaf()) continue;
@@ -238,7 +238,7 @@ void BinTree<D>::absorb(Tally<D>& tally) {
 }
 
 template <int D>
-void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings) {
+void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings, std::size_t bytes_elsewhere) {
     if (settings.fixed_grid_log2 >= 0) return;
     struct Candidate {
         double value;
@@ -257,7 +257,7 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
         return a.value != b.value ? a.value > b.value : a.node < b.node;
     });
     for (const Candidate& candidate : candidates) {
-        if (bytes() + 2 * bytes_per_node() > settings.memory_bytes) break;
+        if (bytes() + 2 * bytes_per_node() + bytes_elsewhere > settings.memory_bytes) break;
         split(candidate.node, candidate.axis, candidate.position, photons);
     }
 }

@@ -91,8 +91,8 @@ class BinTree {
     void absorb(Tally<D>& tally);
 
     /// Tests every leaf and splits those that pass, the most valuable first, while the memory budget lasts. `photons`:
-    /// emitted so far, in all.
-    void split_leaves(std::uint64_t photons, const BinSettings& settings);
+    /// emitted so far, in all. `bytes_elsewhere`: of the budget, what others hold.
+    void split_leaves(std::uint64_t photons, const BinSettings& settings, std::size_t bytes_elsewhere = 0);
 
     /// Records and two snapshots, by formula, so that the budget means the same on every machine.
     std::size_t bytes() const;

@@ -14,13 +14,14 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "bins/publish.h"
+#include "bins/publish_gloss.h"
 #include "bins/tree.h"
 #include "engine/batch.h"
 #include "engine/digest.h"
 #include "engine/outlines.h"
 #include "scene/rays.h"
 #include "transport/emission.h"
-#include "transport/scalar.h"
+#include "transport/kernel.h"
 
 namespace brewster {
 namespace {
@@ -34,6 +35,48 @@ double seconds_since(Clock::time_point begin) {
 // On Linux a priority belongs to a thread.
 void yield_to_everybody() {
     setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 19);
+}
+
+KernelChoice chosen_kernel(const Scene& scene, const std::vector<PreparedMaterial>& materials, const Needs& needs,
+                           const EngineSettings& settings) {
+    const bool gloss = gloss_charts_of(scene, materials).count() > 0;
+    if (!settings.kernel) return {needs.stokes, needs.bands, gloss};
+    if (settings.kernel->bands == 1 && needs.bands == 3)
+        throw Error("one band cannot carry its colours", scene.name, "choose a kernel of three bands");
+    return *settings.kernel;
+}
+
+EntryFields entry_fields(const KernelChoice& kernel, const Needs& needs) {
+    const bool two_worlds = kernel.stokes > 1;
+    return {kernel.bands, two_worlds && needs.polarized_lamps ? 2 : 1, two_worlds ? 2 : 1};
+}
+
+bool is_coloured(const Scene& scene) {
+    return !scene.vertex_colors.empty() || !scene.textures.empty();
+}
+
+// From the trees' own numbering of charts to that of the scene.
+void spread_roots(GlossBins& gloss, const GlossCharts& charts) {
+    std::vector<std::uint32_t> roots(charts.index.size(), no_root);
+    for (std::uint32_t i = 0; i < gloss.roots.size(); ++i) roots[charts.charts[i]] = gloss.roots[i];
+    gloss.roots = std::move(roots);
+}
+
+template <int D>
+void add_tree(Digest& digest, const BinTree<D>& tree, const Tally<D>& pending) {
+    const auto add_wide = [&](Wide sum) {
+        digest.add(static_cast<std::uint64_t>(sum));
+        digest.add(static_cast<std::uint64_t>(sum >> 64));
+    };
+    for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
+        digest.add(std::uint64_t{tree.node(node).split} << 32 | tree.node(node).word);
+        const CellSums sums = tree.sums(node);
+        const bool leaf = tree.node(node).is_leaf();
+        const Quanta* estimate = leaf ? pending.estimate(tree.node(node).leaf()) : nullptr;
+        const Quanta* test = leaf ? pending.test(tree.node(node).leaf()) : nullptr;
+        for (std::size_t i = 0; i < sums.estimate.size(); ++i) add_wide(sums.estimate[i] + (leaf ? estimate[i] : 0));
+        for (std::size_t i = 0; i < sums.test.size(); ++i) add_wide(sums.test[i] + (leaf ? test[i] : 0));
+    }
 }
 
 }  // namespace
@@ -52,14 +95,19 @@ struct Engine::Impl {
     void publish_now(std::unique_lock<std::mutex>& lock);
     void open_batch();
     void collect(std::unique_lock<std::mutex>& lock);
+    void count_leaves();
+    glm::dvec3 flux_per_weight() const;
 
     const std::shared_ptr<const Scene> scene;
     const EngineSettings settings;
     const Rays rays;
     const PhotonEmission emission;
-    const EntryFields fields;
-    BinTree<2> tree;
-    const ScalarTransport transport;
+    const std::vector<PreparedMaterial> materials;
+    const Needs needs;
+    const KernelChoice kernel;
+    Bins bins;
+    const TransportContext context;
+    const TracePhoton trace;
 
     mutable std::mutex mutex;
     std::condition_variable work_to_do, something_done;
@@ -71,7 +119,7 @@ struct Engine::Impl {
     unsigned busy = 0;                       // workers inside a block
     std::uint64_t hand_over = 0;             // a growing wish: hand over what you have
     std::vector<std::uint64_t> handed_over;  // per worker: the wish it has met
-    WorkerSums sums{fields};                 // of the running batch (bins) and of all (ledger, counts)
+    WorkerSums sums{bins};                   // of the running batch (bins) and of all (ledger, counts)
     std::vector<std::uint64_t> photons_by_thread;
     StopRule rule;
     bool run = false;  // the user wants photons
@@ -85,7 +133,7 @@ struct Engine::Impl {
     std::exception_ptr failure;
     std::shared_ptr<const Snapshot> newest;
     std::uint64_t version = 0;
-    std::size_t tree_leaves = 0, tree_bytes = 0;
+    std::size_t entry_leaves = 0, gloss_leaves = 0, tree_bytes = 0;
 
     std::vector<std::jthread> workers;
     std::jthread conductor;
@@ -96,16 +144,20 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
       settings(settings_in),
       rays(*scene),
       emission(*scene, settings.seed),
-      tree(outlines_of(*scene), fields.layout(), settings.bins),
-      transport(*scene, rays, emission, tree, settings.seed) {
+      materials(prepare_materials(scene->materials)),
+      needs(needs_of(*scene)),
+      kernel(chosen_kernel(*scene, materials, needs, settings)),
+      bins(outlines_of(*scene), gloss_charts_of(*scene, materials), entry_fields(kernel, needs),
+           GlossFields{kernel.bands, kernel.stokes}, settings.bins),
+      context{*scene, rays, emission, materials, bins, settings.seed, is_coloured(*scene)},
+      trace(kernel_for(kernel)) {
     if (!emission.any()) {
         throw Error("no lamp gives light", scene->name,
                     "add an emissive material or a light of KHR_lights_punctual to the file");
     }
     const unsigned count = settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
-    sums.bins.resize(tree.leaf_count());
-    tree_leaves = tree.leaf_count();
-    tree_bytes = tree.bytes();
+    sums.fit(bins);
+    count_leaves();
     handed_over.assign(count, 0);
     photons_by_thread.assign(count, 0);
     for (unsigned index = 0; index < count; ++index) workers.emplace_back([this, index] { work(index); });
@@ -133,14 +185,15 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 
 void Engine::Impl::work(unsigned index) {
     if (settings.lowest_priority) yield_to_everybody();
-    WorkerSums own(fields);
+    WorkerSums own(bins);
     std::unique_lock lock(mutex);
     while (!quit) {
         std::uint64_t begin = 0, end = 0;
         if (handed_over[index] != hand_over) {
             // Leaves change only when every tally is at zero, so resizing loses nothing.
-            if (own.bins.leaves() > 0 && own.counts.photons > 0) {
-                sums.bins.take(own.bins);
+            if (own.counts.photons > 0) {
+                sums.entry.take(own.entry);
+                sums.gloss.take(own.gloss);
                 sums.ledger.add(own.ledger);
                 sums.counts.add(own.counts);
                 own.ledger = {};
@@ -154,10 +207,10 @@ void Engine::Impl::work(unsigned index) {
             continue;
         }
         ++busy;
-        own.bins.resize(tree.leaf_count());
+        own.fit(bins);
         lock.unlock();
         try {
-            for (std::uint64_t photon = begin; photon < end; ++photon) transport.trace(photon, own);
+            for (std::uint64_t photon = begin; photon < end; ++photon) trace(context, photon, own);
         } catch (...) {
             const std::lock_guard failed(mutex);
             if (!failure) failure = std::current_exception();
@@ -192,15 +245,31 @@ void Engine::Impl::publish_now(std::unique_lock<std::mutex>& lock) {
     const std::uint64_t photons = sums.counts.photons;
     if (photons == 0 || (newest && newest->photons == photons)) return;
     const bool between_batches = photons == batch.begin();
-    const Tally<2> pending = between_batches ? Tally<2>() : sums.bins;
+    const Tally<2> entry = between_batches ? Tally<2>() : sums.entry;
+    const Tally<4> gloss = between_batches ? Tally<4>() : sums.gloss;
     lock.unlock();
-    auto snapshot = std::make_shared<Snapshot>(publish(tree, fields, between_batches ? nullptr : &pending, photons,
-                                                       glm::dvec3(emission.mean_power()), settings.bins));
+    auto snapshot = std::make_shared<Snapshot>(publish(
+        bins.entry, bins.entry_fields, between_batches ? nullptr : &entry, photons, flux_per_weight(), settings.bins));
+    if (kernel.gloss) {
+        snapshot->gloss = publish_gloss(bins.gloss, bins.gloss_fields, between_batches ? nullptr : &gloss, photons,
+                                        flux_per_weight(), settings.bins);
+    }
+    spread_roots(snapshot->gloss, bins.gloss_charts);
     lock.lock();
     snapshot->version = ++version;
     newest = std::move(snapshot);
     if (version == 1) first_snapshot_ms = 1000 * seconds_since(first_start);
     something_done.notify_all();
+}
+
+void Engine::Impl::count_leaves() {
+    entry_leaves = bins.entry.leaf_count();
+    gloss_leaves = kernel.gloss ? bins.gloss.leaf_count() : 0;
+    tree_bytes = bins.entry.bytes() + (kernel.gloss ? bins.gloss.bytes() : 0);
+}
+
+glm::dvec3 Engine::Impl::flux_per_weight() const {
+    return emission.mean_power() * (kernel.bands == 1 ? glm::dvec3(needs.colour) : glm::dvec3(1.0));
 }
 
 void Engine::Impl::open_batch() {
@@ -234,11 +303,14 @@ void Engine::Impl::conduct() {
             settings.snapshot_seconds > 0 && seconds_since(last_publication) >= settings.snapshot_seconds;
         if (next_photon >= batch.end() && busy == 0) {
             collect(lock);
-            tree.absorb(sums.bins);
-            tree.split_leaves(batch.end(), settings.bins);
-            sums.bins.resize(tree.leaf_count());
-            tree_leaves = tree.leaf_count();
-            tree_bytes = tree.bytes();
+            bins.entry.absorb(sums.entry);
+            bins.entry.split_leaves(batch.end(), settings.bins, bins.gloss.bytes());
+            if (kernel.gloss) {
+                bins.gloss.absorb(sums.gloss);
+                bins.gloss.split_leaves(batch.end(), settings.bins, bins.entry.bytes());
+            }
+            sums.fit(bins);
+            count_leaves();
             batch.next();
             if (!newest || settings.snapshot_seconds > 0 || rule.target_error) {
                 // The next batch may begin meanwhile, unless this picture decides whether it is wanted.
@@ -324,7 +396,8 @@ Progress Engine::progress() const {
     progress.trouble = engine.sums.counts.trouble;
     progress.seconds = engine.seconds + (engine.done ? 0 : seconds_since(engine.resumed));
     progress.first_snapshot_ms = engine.first_snapshot_ms;
-    progress.leaves = engine.tree_leaves;
+    progress.leaves = engine.entry_leaves;
+    progress.gloss_leaves = engine.gloss_leaves;
     progress.bytes = engine.tree_bytes;
     progress.running = !engine.done;
     if (engine.newest) {
@@ -343,22 +416,9 @@ Ledger Engine::ledger() const {
 std::string Engine::digest() const {
     const std::lock_guard lock(impl_->mutex);
     BREWSTER_CHECK(impl_->done, "the sums are open while photons fly");
-    const BinTree<2>& tree = impl_->tree;
-    const Tally<2>& pending = impl_->sums.bins;
     Digest digest;
-    const auto add_wide = [&](Wide sum) {
-        digest.add(static_cast<std::uint64_t>(sum));
-        digest.add(static_cast<std::uint64_t>(sum >> 64));
-    };
-    for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
-        digest.add(std::uint64_t{tree.node(node).split} << 32 | tree.node(node).word);
-        const CellSums sums = tree.sums(node);
-        const bool leaf = tree.node(node).is_leaf();
-        const Quanta* estimate = leaf ? pending.estimate(tree.node(node).leaf()) : nullptr;
-        const Quanta* test = leaf ? pending.test(tree.node(node).leaf()) : nullptr;
-        for (std::size_t i = 0; i < sums.estimate.size(); ++i) add_wide(sums.estimate[i] + (leaf ? estimate[i] : 0));
-        for (std::size_t i = 0; i < sums.test.size(); ++i) add_wide(sums.test[i] + (leaf ? test[i] : 0));
-    }
+    add_tree(digest, impl_->bins.entry, impl_->sums.entry);
+    if (impl_->kernel.gloss) add_tree(digest, impl_->bins.gloss, impl_->sums.gloss);
     return digest.hexadecimal();
 }
 
@@ -367,6 +427,12 @@ const Scene& Engine::scene() const {
 }
 const EngineSettings& Engine::settings() const {
     return impl_->settings;
+}
+const Needs& Engine::needs() const {
+    return impl_->needs;
+}
+const KernelChoice& Engine::kernel() const {
+    return impl_->kernel;
 }
 
 }  // namespace brewster

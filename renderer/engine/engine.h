@@ -7,7 +7,9 @@
 
 #include "bins/bin_settings.h"
 #include "bins/snapshot.h"
+#include "scene/needs.h"
 #include "scene/scene.h"
+#include "transport/kernel.h"
 #include "transport/ledger.h"
 
 namespace brewster {
@@ -18,6 +20,7 @@ struct EngineSettings {
     bool lowest_priority = false;  ///< beside a window: workers yield to it
     double snapshot_seconds = 0;   ///< > 0: publish at least this often; otherwise only the first batches and the end
     BinSettings bins;
+    std::optional<KernelChoice> kernel;  ///< none: the smallest that is exact for the scene
 };
 
 /// When to stop; the first that holds. All empty: never.
@@ -36,7 +39,8 @@ struct Progress {
     std::uint64_t rays = 0;
     double seconds = 0;
     double first_snapshot_ms = 0;
-    std::uint64_t leaves = 0;            ///< of the tally trees
+    std::uint64_t leaves = 0;            ///< of the tally trees over position
+    std::uint64_t gloss_leaves = 0;      ///< of those over position and direction
     std::uint64_t published_leaves = 0;  ///< of the newest snapshot, direct and indirect
     std::uint64_t bytes = 0;             ///< by formula: records and two snapshots
     double relative_error = 0;           ///< of the newest snapshot; 0 until there is one
@@ -51,7 +55,7 @@ struct Progress {
 /// of publication do not change a bit of it.
 class Engine {
   public:
-    /// Throws Error if nothing in the scene emits light.
+    /// Throws Error if nothing in the scene emits light, or if `settings.kernel` has one band in a scene of colours.
     Engine(std::shared_ptr<const Scene> scene, const EngineSettings& settings);
     ~Engine();
     Engine(const Engine&) = delete;
@@ -75,6 +79,8 @@ class Engine {
 
     const Scene& scene() const;
     const EngineSettings& settings() const;
+    const Needs& needs() const;
+    const KernelChoice& kernel() const;  ///< what photons carry
 
   private:
     struct Impl;

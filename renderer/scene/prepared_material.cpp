@@ -61,7 +61,9 @@ PreparedMaterial::PreparedMaterial(const Material& material, std::shared_ptr<con
         } else if (interface == InterfaceKind::dielectric) {
             external = brewster::external_reflectance(index);
         }
-        const double internal = internal_reflectance(external, index);
+        const double internal = brewster::internal_reflectance(external, index);
+        internal_reflectance[band] = static_cast<float>(internal);
+        albedo[band] = static_cast<float>(rho);
         external_reflectance[band] = static_cast<float>(external);
         base_factor[band] = static_cast<float>(base_radiance_factor(rho, index, internal));
         base_survival[band] = static_cast<float>(brewster::base_survival(rho, internal));

@@ -29,6 +29,8 @@ class PreparedMaterial {
     /// Of the base: rho/(pi n^2 (1 - rho Fi)), 1/sr, and its share of entered power that leaves again.
     std::array<float, band_count> base_factor{}, base_survival{};
     std::array<float, band_count> external_reflectance{};  ///< Fe
+    std::array<float, band_count> internal_reflectance{};  ///< Fi: of light that would leave the base
+    std::array<float, band_count> albedo{};                ///< of the base
     glm::vec3 emission{0.0f};                              ///< cd/m2, unpolarized, the same in all directions
 
     bool rough() const { return finish != Finish::smooth; }
@@ -38,6 +40,13 @@ class PreparedMaterial {
     bool sharp() const { return !diffuse() && !rough(); }
     /// Can reflect at the interface.
     bool reflects() const { return interface != InterfaceKind::none; }
+
+    /// What the base sends back is multiplied by where a texture gives it an albedo of its own.
+    float albedo_correction(std::size_t band, float albedo_there) const {
+        if (!(albedo[band] > 0)) return 0;
+        return albedo_there * (1 - albedo[band] * internal_reflectance[band]) /
+               (albedo[band] * (1 - albedo_there * internal_reflectance[band]));
+    }
 
     const OrderRules& rules() const { return *rules_; }
 

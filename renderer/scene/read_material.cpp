@@ -128,6 +128,7 @@ void set_interface_and_base(Material& material, const GltfMaterial& from, const 
     if (material.base == Base::transparent) {
         if (from.transmission < 1.0) warnings.push_back(subject + "it lets light pass entirely, not in part");
         material.thin = from.thickness == 0.0;
+        material.double_sided = true;  // light comes from both sides, whatever a file says of its look
         if (from.roughness > 0.0 || surface.rms_height > 0)
             warnings.push_back(subject + "its roughness is not simulated where light passes; it is smooth");
         if (from.attenuates) warnings.push_back(subject + "its colour inside is not simulated; it is clear");

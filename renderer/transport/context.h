@@ -60,6 +60,7 @@ struct TransportContext {
     const std::vector<PreparedMaterial>& materials;
     const Bins& bins;
     std::uint64_t seed = 1;
+    bool coloured = false;  ///< some base has another albedo from place to place
 };
 
 }  // namespace brewster

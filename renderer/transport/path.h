@@ -59,6 +59,10 @@ struct PhotonLight {
                 weights[static_cast<std::size_t>(components * bands) + b] = factor * unpolarized[b];
         }
     }
+    void scale_band(std::size_t band, float factor) {
+        polarized[band] = factor * polarized[band];
+        if constexpr (two_worlds) unpolarized[band] *= factor;
+    }
     void scale(float factor) {
         for (auto& stokes : polarized) stokes = factor * stokes;
         for (float& power : unpolarized) power *= factor;

@@ -5,6 +5,7 @@
 
 #include "base/philox.h"
 #include "bins/direction_map.h"
+#include "scene/albedo.h"
 #include "scene/bsdf.h"
 #include "scene/shading_normal.h"
 #include "transport/context.h"
@@ -55,13 +56,13 @@ inline Meeting meeting_of(const TransportContext& context, const Hit& hit) {
 
 /// Numbers of one event. The first event of a photon goes on with its Sobol sequence.
 inline ScatterNumbers<float> scatter_numbers(const TransportContext& context, std::uint64_t photon,
-                                             std::uint32_t bounce, bool facets) {
+                                             std::uint32_t bounce, bool first, bool facets) {
     ScatterNumbers<float> numbers;
     const std::array<std::uint32_t, 4> words = philox(context.seed, photon, bounce, 0);
     numbers.exit_u = unit_float(words[1]);
     numbers.exit_v = unit_float(words[2]);
     numbers.choice = unit_float(words[3]);
-    if (bounce == 0) {
+    if (first) {
         numbers.exit_u = context.emission.sobol(photon, PhotonEmission::dimensions);
         numbers.exit_v = context.emission.sobol(photon, PhotonEmission::dimensions + 1);
         numbers.choice = context.emission.sobol(photon, PhotonEmission::dimensions + 2);
@@ -153,7 +154,7 @@ void deposit_gloss(const TransportContext& context, const Meeting& at, const Vec
 
 /// Scatters the light at a surface. False where it ends: absorbed, or sent to the wrong side of the facet.
 template <int components, int bands>
-bool scatter(const Meeting& at, const ScatterNumbers<float>& numbers, Ray& ray,
+bool scatter(const TransportContext& context, const Meeting& at, const ScatterNumbers<float>& numbers, Ray& ray,
              PhotonLight<components, bands>& light, WorkerSums& sums) {
     const Vector<float> direction = float_vector(ray.direction);
     const SurfacePoint<float> point{-direction, light.axis, at.shading_normal, at.inside};
@@ -171,6 +172,13 @@ bool scatter(const Meeting& at, const ScatterNumbers<float>& numbers, Ray& ray,
         return false;
     }
     book(sums.ledger.absorbed, before, light);
+    if (sample.base && context.coloured) {
+        const PhotonLight<components, bands> untinted = light;
+        const glm::vec3 albedo = albedo_at(context.scene, at.hit);
+        for (std::size_t b = 0; b < bands; ++b)
+            light.scale_band(b, at.material->albedo_correction(b, albedo[static_cast<int>(b)]));
+        book(sums.ledger.absorbed, untinted, light);
+    }
     if ((dot(sample.direction, at.normal) > 0) == sample.refracted) {
         book(sums.ledger.cut, light);
         return false;
@@ -186,9 +194,29 @@ bool scatter(const Meeting& at, const ScatterNumbers<float>& numbers, Ray& ray,
     return true;
 }
 
+/// Everything that the bins want to know of an arrival. False where they want nothing.
+template <int components, int bands, bool gloss>
+bool deposit_arrival(const TransportContext& context, const Meeting& at, const Ray& ray,
+                     const PhotonLight<components, bands>& light, bool direct, std::uint64_t photon,
+                     std::uint32_t bounce, WorkerSums& sums) {
+    const Vector<float> direction = float_vector(ray.direction);
+    bool filed = false;
+    if (at.material->diffuse()) {
+        deposit_entry(context, at, direction, light, direct, static_cast<std::uint32_t>(photon % replica_count),
+                      sums.entry);
+        filed = true;
+    }
+    if constexpr (gloss) {
+        if (context.bins.gloss_charts.index[at.hit.chart] != no_chart) {
+            deposit_gloss(context, at, direction, light, photon, bounce, sums.gloss);
+            filed = true;
+        }
+    }
+    return filed;
+}
+
 template <int components, int bands, bool gloss>
 void trace_photon(const TransportContext& context, std::uint64_t photon, WorkerSums& sums) {
-    const auto replica = static_cast<std::uint32_t>(photon % replica_count);
     const EmittedPhoton emitted = context.emission.sample(photon);
     Ray ray = emitted.ray;
     PhotonLight<components, bands> light = emitted_light<components, bands>(context.scene, emitted);
@@ -199,11 +227,21 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, WorkerS
 
     for (std::uint32_t bounce = 0; bounce < bounce_limit; ++bounce) {
         Hit hit;
+        ray.meets_holes = true;
         context.rays.intersect(std::span(&ray, 1), std::span(&hit, 1));
         ++sums.counts.rays;
         if (hit.escaped()) {
             book(sums.ledger.escaped, light);
             break;
+        }
+        if (hit.hole) {
+            // Light passes, and is filed as if the surface went on there: cells need not know how much of them is cut.
+            if (hit.chart != no_chart)
+                deposit_arrival<components, bands, gloss>(context, meeting_of(context, hit), ray, light, direct, photon,
+                                                          bounce, sums);
+            ray.origin = hit.position;
+            ray.leaving = hit.triangle;
+            continue;
         }
         ++sums.counts.bounces;
         if (hit.chart == no_chart) {
@@ -211,19 +249,11 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, WorkerS
             break;
         }
         const Meeting at = meeting_of(context, hit);
-        if (at.material->diffuse()) {
-            deposit_entry(context, at, float_vector(ray.direction), light, direct, replica, sums.entry);
-            useful = true;
-        }
-        const ScatterNumbers<float> numbers = scatter_numbers(context, photon, bounce, at.material->rough());
-        if constexpr (gloss) {
-            if (context.bins.gloss_charts.index[hit.chart] != no_chart) {
-                deposit_gloss(context, at, float_vector(ray.direction), light, photon, bounce, sums.gloss);
-                useful = true;
-            }
-        }
+        useful =
+            deposit_arrival<components, bands, gloss>(context, at, ray, light, direct, photon, bounce, sums) || useful;
+        const ScatterNumbers<float> numbers = scatter_numbers(context, photon, bounce, direct, at.material->rough());
         direct = false;
-        if (!scatter(at, numbers, ray, light, sums)) break;
+        if (!scatter(context, at, numbers, ray, light, sums)) break;
 
         const float left = light.largest();
         if (left < roulette_share * reference) {

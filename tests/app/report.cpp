@@ -25,9 +25,9 @@ SolveResult made_up_result() {
     result.progress.photons_by_thread = {600, 400};
     result.progress.useful_photons = 900;
     result.digest = "ab12";
-    result.ledger.emitted = {10, 20, 30};
-    result.ledger.absorbed = {9, 20, 30};
-    result.ledger.roulette = {1, 0, 0};
+    result.ledger.emitted[0] = {10, 20, 30};
+    result.ledger.absorbed[0] = {9, 20, 30};
+    result.ledger.roulette[0] = {1, 0, 0};
     return result;
 }
 
@@ -48,7 +48,7 @@ TEST(Report, SolveHoldsEveryPromisedField) {
 
 TEST(Report, LedgerThatLeaksSaysSo) {
     SolveResult result = made_up_result();
-    result.ledger.emitted[2] += 1;
+    result.ledger.emitted[0][2] += 1;
     EXPECT_EQ(nlohmann::json::parse(solve_report(result))["ledger"]["balances"], false);
 }
 

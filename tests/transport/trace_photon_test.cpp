@@ -1,4 +1,4 @@
-#include "transport/scalar.h"
+#include "transport/kernel.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,12 @@ struct Bench {
         : scene(scene_in),
           rays(scene),
           emission(scene, seed),
-          tree(outlines(scene), {}, one_cell()),
-          transport(scene, rays, emission, tree, seed) {
-        sums.bins.resize(tree.leaf_count());
+          materials(prepare_materials(scene.materials)),
+          bins(outlines(scene), gloss_charts_of(scene, materials), {}, {}, one_cell()),
+          context{scene, rays, emission, materials, bins, seed, false},
+          trace_one(kernel_for({1, 3, false})),
+          sums(bins) {
+        sums.fit(bins);
     }
     static BinSettings one_cell() {
         BinSettings settings;
@@ -34,23 +37,25 @@ struct Bench {
         return all;
     }
     void trace(std::uint64_t begin, std::uint64_t end) {
-        for (std::uint64_t photon = begin; photon < end; ++photon) transport.trace(photon, sums);
+        for (std::uint64_t photon = begin; photon < end; ++photon) trace_one(context, photon, sums);
     }
     // Flux into a chart's base in lumen, one band.
     double flux(std::uint32_t chart, bool direct, std::size_t band) const {
         const std::size_t channel = (direct ? 0 : band_count) + band;
-        const Quanta* row = sums.bins.estimate(tree.node(chart).leaf()) + channel * RecordLayout<2>::estimate_stride;
+        const Quanta* row = sums.entry.estimate(bins.entry.node(chart).leaf()) + channel * RecordLayout<2>::estimate_stride;
         return to_weight(*row) * emission.mean_power() / static_cast<double>(sums.counts.photons);
     }
     const Scene& scene;
     Rays rays;
     PhotonEmission emission;
-    BinTree<2> tree;
-    ScalarTransport transport;
+    std::vector<PreparedMaterial> materials;
+    Bins bins;
+    TransportContext context;
+    TracePhoton trace_one;
     WorkerSums sums;
 };
 
-TEST(ScalarTransport, LedgerBalancesToTheLastQuantum) {
+TEST(TracePhoton, LedgerBalancesToTheLastQuantum) {
     for (const char* name : {"cornell-box.gltf", "furnace.gltf"}) {
         const auto scene = rooms::read(name);
         Bench bench(*scene);
@@ -59,8 +64,8 @@ TEST(ScalarTransport, LedgerBalancesToTheLastQuantum) {
         EXPECT_EQ(bench.sums.counts.photons, 20000u);
         EXPECT_EQ(bench.sums.counts.trouble, 0u);
         for (std::size_t band = 0; band < band_count; ++band) {
-            EXPECT_GT(bench.sums.ledger.absorbed[band], 0);
-            EXPECT_EQ(bench.sums.ledger.cut[band], 0);
+            EXPECT_GT(bench.sums.ledger.absorbed[0][band], 0);
+            EXPECT_EQ(bench.sums.ledger.cut[0][band], 0);
         }
     }
 }
@@ -68,27 +73,27 @@ TEST(ScalarTransport, LedgerBalancesToTheLastQuantum) {
 TEST(Ledger, AMissingQuantumIsNoticed) {
     Ledger ledger;
     EXPECT_TRUE(ledger.balances());
-    ledger.emitted[1] += 5;
-    ledger.absorbed[1] += 4;
+    ledger.emitted[0][1] += 5;
+    ledger.absorbed[0][1] += 4;
     EXPECT_FALSE(ledger.balances());
-    ledger.roulette[1] += 1;
+    ledger.roulette[0][1] += 1;
     EXPECT_TRUE(ledger.balances());
 }
 
-TEST(ScalarTransport, AClosedRoomLosesNothing) {
+TEST(TracePhoton, AClosedRoomLosesNothing) {
     const auto scene = rooms::read("furnace.gltf");
     Bench bench(*scene);
     bench.trace(0, 100000);
-    for (std::size_t band = 0; band < band_count; ++band) EXPECT_EQ(bench.sums.ledger.escaped[band], 0);
+    for (std::size_t band = 0; band < band_count; ++band) EXPECT_EQ(bench.sums.ledger.escaped[0][band], 0);
 }
 
-TEST(ScalarTransport, APhotonDependsOnItsIndexAlone) {
+TEST(TracePhoton, APhotonDependsOnItsIndexAlone) {
     const auto scene = rooms::read("cornell-box.gltf");
     Bench forward(*scene), backward(*scene);
     forward.trace(0, 500);
-    for (std::uint64_t photon = 500; photon-- > 0;) backward.transport.trace(photon, backward.sums);
-    for (std::uint32_t leaf = 0; leaf < forward.sums.bins.leaves(); ++leaf) {
-        EXPECT_EQ(0, std::memcmp(forward.sums.bins.estimate(leaf), backward.sums.bins.estimate(leaf),
+    for (std::uint64_t photon = 500; photon-- > 0;) backward.trace_one(backward.context, photon, backward.sums);
+    for (std::uint32_t leaf = 0; leaf < forward.sums.entry.leaves(); ++leaf) {
+        EXPECT_EQ(0, std::memcmp(forward.sums.entry.estimate(leaf), backward.sums.entry.estimate(leaf),
                                  sizeof(Quanta) * static_cast<std::size_t>(RecordLayout<2>{}.estimate_size())));
     }
     EXPECT_EQ(forward.sums.counts.bounces, backward.sums.counts.bounces);
@@ -97,7 +102,7 @@ TEST(ScalarTransport, APhotonDependsOnItsIndexAlone) {
 // Furnace of albedo 1/2 and emission 1: every wall of 1 m2 gets pi lumen direct and pi indirect. Photons of n = 2e5:
 // the direct flux of a wall is a share 1/6 of all, binomial at most: relative error sqrt(5/n) = 0.5 %; the indirect one
 // is a sum of a geometric number of weights, its relative error below sqrt(24/n) = 1.1 %. Bounds are 4 standard errors.
-TEST(ScalarTransport, FurnaceWallsGetPiTwice) {
+TEST(TracePhoton, FurnaceWallsGetPiTwice) {
     const auto scene = rooms::read("furnace.gltf");
     Bench bench(*scene);
     bench.trace(0, 200000);
@@ -112,7 +117,7 @@ TEST(ScalarTransport, FurnaceWallsGetPiTwice) {
     // The weights of a photon after its first hit sum to 1 in the mean, with variance below 2 (roulette).
     EXPECT_NEAR(indirect, pi, 4 * std::sqrt(2.0 / 200000) * pi);
     // The roulette account is zero on average; per photon it moves less than one unit of weight.
-    EXPECT_LT(std::abs(to_weight(bench.sums.ledger.roulette[0])), 4 * std::sqrt(200000.0));
+    EXPECT_LT(std::abs(to_weight(bench.sums.ledger.roulette[0][0])), 4 * std::sqrt(200000.0));
 }
 
 }  // namespace
