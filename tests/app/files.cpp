@@ -25,8 +25,9 @@ TEST(Files, BrokenOnesEndInOneSentence) {
         EXPECT_EQ(result.output, "") << mutation.name;
         EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
         // What a file beside it could mend reads differently where there is a folder to look in.
-        if (mutation.name != "FileForAnEmbeddedScene")
+        if (mutation.name != "FileForAnEmbeddedScene") {
             EXPECT_NE(result.errors.find(mutation.words), std::string::npos) << mutation.name << "\n" << result.errors;
+        }
     }
 }
 
