@@ -48,8 +48,8 @@ bool too_long(std::span<const unsigned char> encoded) {
 
 }  // namespace
 
-std::optional<PictureSize> encoded_size(std::span<const unsigned char> encoded) {
-    PictureSize size;
+std::optional<EncodedSize> encoded_size(std::span<const unsigned char> encoded) {
+    EncodedSize size;
     int channels = 0;
     most_bytes = least_room;
     if (too_long(encoded) ||
@@ -59,7 +59,7 @@ std::optional<PictureSize> encoded_size(std::span<const unsigned char> encoded) 
 }
 
 std::optional<std::vector<std::uint8_t>> decode_rgba(std::span<const unsigned char> encoded) {
-    const std::optional<PictureSize> size = encoded_size(encoded);
+    const std::optional<EncodedSize> size = encoded_size(encoded);
     if (!size) return {};
     most_bytes = least_room + 16 * size->texels();  // 8 bytes a pixel of 16-bit RGBA, and the next power of two
     int width = 0, height = 0, channels = 0;

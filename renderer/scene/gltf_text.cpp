@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "scene/uri.h"
 
 namespace brewster {
 namespace {
@@ -236,12 +237,20 @@ class Checker {
                 return;
             case Kind::string:
                 if (!value.is_string()) wrong(path, "is not a string");
+                if (path.size() > 4 && path.compare(path.size() - 4, 4, ".uri") == 0) check_uri(value);
                 return;
             case Kind::indices:
                 if (!value.is_array()) wrong(path, "is not a list");
                 for (const json& index : value) check_kind(index, path, Kind::index);
                 return;
         }
+    }
+
+    void check_uri(const std::string& uri) const {
+        constexpr std::size_t longest_name = 200;
+        if (!stays_below(uri))
+            throw Error("it names \"" + uri.substr(0, longest_name) + "\", which is not below its own folder", where_,
+                        "move that file beside it");
     }
 
     void check_integer(const json& value, const std::string& path, std::int64_t largest) const {

@@ -26,8 +26,7 @@
 namespace brewster {
 namespace {
 
-constexpr std::size_t most_triangles = 50'000'000;  // beyond, the ray tree alone takes gigabytes
-constexpr std::size_t most_vertices = 400'000'000;
+constexpr std::size_t most_triangles = 50'000'000;            // beyond, the ray tree alone takes gigabytes
 constexpr double smallest_scene = 1e-5, largest_scene = 1e8;  // metres; areas and powers stay well inside floats
 
 struct PlacedNode {
@@ -214,7 +213,7 @@ class Reader {
                 other_modes = true;
                 continue;
             }
-            count_work(primitive);
+            count_triangles(primitive);
             MeshPart part{placed.index, name, mesh.name, 0, {}};
             part.material =
                 primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
@@ -227,6 +226,7 @@ class Reader {
             mended_normals += part.placed.mended_normals;
             if (!part.placed.triangles.empty()) parts_.push_back(std::move(part));
         }
+        if (!said_meshes_.insert(node.mesh).second) return;
         const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
         if (morphs && std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }))
             warn(subject + "its morph targets are not read; it stands in its rest pose");
@@ -241,16 +241,12 @@ class Reader {
                  "around them stands in");
     }
 
-    // What placing costs, so that a small file cannot ask for more than a large one may.
-    void count_work(const GltfPrimitive& primitive) {
+    // A small file may place a mesh many times.
+    void count_triangles(const GltfPrimitive& primitive) {
         triangle_count_ += triangle_count(file_, primitive);
         if (triangle_count_ > most_triangles)
             throw Error("it has more than " + std::to_string(most_triangles / 1'000'000) + " million triangles", where_,
                         "simplify its meshes");
-        placed_vertices_ += file_.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))].count;
-        if (placed_vertices_ > most_vertices)
-            throw Error("its nodes place more than " + std::to_string(most_vertices / 1'000'000) + " million vertices",
-                        where_, "simplify its meshes");
     }
 
     const GltfTextureUse& base_use(std::uint32_t material) const {
@@ -402,7 +398,8 @@ class Reader {
     std::vector<glm::dmat4> world_transforms_;  // of all nodes
     TextureReader textures_;
     std::vector<MeshPart> parts_;
-    std::size_t triangle_count_ = 0, placed_vertices_ = 0;
+    std::set<int> said_meshes_;  // of which everything was said at their first node
+    std::size_t triangle_count_ = 0;
     std::uint32_t default_material_ = no_chart;
 };
 
