@@ -15,11 +15,17 @@
 
 uniform UINT_TEXELS bin_nodes;
 uniform FLOAT_TEXELS bin_leaves;
-uniform UINT_TEXELS chart_roots;
+uniform UINT_TEXELS chart_roots;  // two texels a chart: direct, indirect; gloss, or 0xffffffff
+uniform UINT_TEXELS gloss_nodes;
+uniform FLOAT_TEXELS gloss_leaves;
 
 uvec2 fetch_node(uint index) { return TEXEL(bin_nodes, index).xy; }
 vec4 fetch_leaf_texel(uint index) { return TEXEL(bin_leaves, index); }
+uvec2 fetch_gloss_node(uint index) { return TEXEL(gloss_nodes, index).xy; }
+vec4 fetch_gloss_texel(uint index) { return TEXEL(gloss_leaves, index); }
 
 #define BREWSTER_BINS_PARAMETER
 #define BREWSTER_BINS
 #include "shared/lookup.h"
+#include "shared/gloss_lookup.h"
+#include "shared/direction_map.h"

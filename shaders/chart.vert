@@ -6,12 +6,16 @@ layout(location = 2) in uint chart;
 layout(location = 3) in vec2 texture_coordinates;
 layout(location = 4) in vec4 vertex_color;  // linear, times the texture
 
+layout(location = 5) in vec3 normal;  // of the surface that the mesh stands for
+
 uniform mat4 view_projection;
 
 out vec2 chart_coordinates;
 flat out uint chart_index;
 out vec2 texture_place;
 out vec4 color;
+out vec3 seen_point;
+out vec3 seen_normal;
 
 void main() {
     gl_Position = view_projection * vec4(position, 1.0);
@@ -19,4 +23,6 @@ void main() {
     chart_index = chart;
     texture_place = texture_coordinates;
     color = vertex_color;
+    seen_point = position;
+    seen_normal = normal;
 }

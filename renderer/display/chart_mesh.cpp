@@ -34,6 +34,7 @@ std::vector<ChartVertex> chart_vertices(const Scene& scene) {
         for (const std::uint32_t corner : corners) {
             const glm::vec3 position = scene.vertices[corner];
             vertices.push_back({position, scene.charts[chart].unit_coordinates(position), chart});
+            vertices.back().normal = scene.charts[chart].normal;
             if (!scene.texture_coordinates.empty())
                 vertices.back().texture_coordinates = scene.texture_coordinates[corner];
             if (!scene.vertex_colors.empty()) vertices.back().color = stored(scene.vertex_colors[corner]);
@@ -76,6 +77,8 @@ ChartMesh::ChartMesh(const Scene& scene) : array_(VertexArray::create()), buffer
     glEnableVertexAttribArray(3);
     glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, sizeof(ChartVertex),
                           offset(offsetof(ChartVertex, texture_coordinates)));
+    glEnableVertexAttribArray(5);
+    glVertexAttribPointer(5, 3, GL_FLOAT, GL_FALSE, sizeof(ChartVertex), offset(offsetof(ChartVertex, normal)));
     glEnableVertexAttribArray(4);
     glVertexAttribPointer(4, 4, GL_UNSIGNED_SHORT, GL_TRUE, sizeof(ChartVertex), offset(offsetof(ChartVertex, color)));
 }

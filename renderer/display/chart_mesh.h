@@ -16,6 +16,7 @@ struct ChartVertex {
     std::uint32_t chart;
     glm::vec2 texture_coordinates{0.0f};
     std::array<std::uint16_t, 4> color{65535, 65535, 65535, 65535};  ///< linear
+    glm::vec3 normal{0.0f};  ///< of the surface that the mesh stands for, on the side of its chart
 };
 
 /// Vertices that stand together and share a texture of the scene.

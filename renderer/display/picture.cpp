@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "display/gl_context.h"
 #include "display/tone.h"
+#include "scene/needs.h"
 
 namespace brewster {
 namespace {
@@ -45,6 +46,17 @@ bool same_view(const Camera& a, const Camera& b) {
            a.vertical_field_of_view == b.vertical_field_of_view && a.near_distance == b.near_distance;
 }
 
+std::vector<std::string> stokes_defines(bool polarizes) {
+    if (!polarizes) return {};
+    return {"BREWSTER_STOKES"};
+}
+
+std::vector<std::string> chart_defines(TexelStorage storage, bool polarizes) {
+    std::vector<std::string> defines = texel_defines(storage);
+    for (const std::string& define : stokes_defines(polarizes)) defines.push_back(define);
+    return defines;
+}
+
 void bind_texture(const Program& program, const char* uniform, int unit, GLuint texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture);
@@ -57,20 +69,27 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
     : scene_(scene),
       storage_(texel_storage(largest_buffer_texture)),
       upload_(storage_),
+      polarizes_(needs_of(scene).stokes > 1),
       materials_(TexelFormat::float4, storage_),
+      passages_(scene),
       textures_(scene),
       mesh_(scene),
-      chart_program_("chart.vert", "chart.frag", texel_defines(storage_)),
-      accumulate_program_("full_screen.vert", "accumulate.frag"),
+      chart_program_("chart.vert", "chart.frag", chart_defines(storage_, polarizes_)),
+      accumulate_program_("full_screen.vert", "accumulate.frag", stokes_defines(polarizes_)),
       screen_program_("full_screen.vert", "screen.frag"),
       no_vertices_(VertexArray::create()) {
     std::vector<glm::vec4> texels;
     for (const Chart& chart : scene.charts) {
         const Material& material = scene.materials[chart.material];
-        texels.emplace_back(nearest_lambert(material), 0.0f);
+        texels.emplace_back(material.albedo, 0.0f);
         texels.emplace_back(material.emission, 0.0f);
         const bool coloured = material.base == Base::lambert || material.base == Base::polarized_diffuse;
-        texels.emplace_back(coloured ? 1.0f : 0.0f, material.alpha, material.alpha_cutoff, 0.0f);
+        texels.emplace_back(coloured ? 1.0f : 0.0f, material.alpha, material.alpha_cutoff,
+                            static_cast<float>(chart.material));
+        texels.emplace_back(passages_.internal_reflectances()[chart.material], 0.0f);
+        texels.emplace_back(passages_.base_shares()[chart.material], 0.0f);
+        texels.emplace_back(chart.axis_u, 0.0f);
+        texels.emplace_back(chart.axis_v, 0.0f);
     }
     materials_.reserve(texels.size());
     materials_.write(0, texels.size(), texels.data());
@@ -91,8 +110,8 @@ bool Picture::upload(std::size_t bytes) {
 
 void Picture::look(const Camera& camera, int width, int height) {
     if (width != drawn_.width() || height != drawn_.height()) {
-        drawn_ = RenderTarget(width, height, 2, true);
-        sums_ = RenderTarget(width, height, 3, false);
+        drawn_ = RenderTarget(width, height, polarizes_ ? 5 : 2, true);
+        sums_ = RenderTarget(width, height, polarizes_ ? 6 : 3, false);
         draws_ = 0;
     }
     if (!same_view(camera, camera_)) draws_ = 0;
@@ -119,17 +138,23 @@ void Picture::draw_once() {
         chart_program_.set("view_projection",
                            view_projection(camera_, drawn_.width(), drawn_.height(), offset.x, offset.y, far_distance));
         chart_program_.set("shown_world", upload_.world_offsets(polarization_ ? 0 : 1));
+        chart_program_.set("unpolarized", polarization_ ? 0 : 1);
+        chart_program_.set("gloss_components", upload_.drawn()->gloss.components);
+        chart_program_.set("eye", camera_.position);
+        if (polarizes_) chart_program_.set("camera_up", camera_.up);
         upload_.bind(chart_program_, 0);
-        materials_.bind(chart_program_, "chart_materials", 3);
+        materials_.bind(chart_program_, "chart_materials", BinUpload::units);
+        passages_.bind(chart_program_, "passages", BinUpload::units + 1);
         for (const ChartGroup& group : mesh_.groups()) {
-            textures_.bind(chart_program_, "albedo_texture", 4, group.texture);
+            textures_.bind(chart_program_, "albedo_texture", BinUpload::units + 2, group.texture);
             mesh_.draw(group);
         }
     }
     sums_.bind();
     if (draws_ == 0) sums_.clear();
-    bind_texture(accumulate_program_, "drawn_radiance", 0, drawn_.texture(0));
-    bind_texture(accumulate_program_, "drawn_variance", 1, drawn_.texture(1));
+    const std::array<const char*, 5> drawn = {"drawn_s0", "drawn_variance", "drawn_s1", "drawn_s2", "drawn_s3"};
+    for (int i = 0; i < (polarizes_ ? 5 : 2); ++i)
+        bind_texture(accumulate_program_, drawn[static_cast<std::size_t>(i)], i, drawn_.texture(i));
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glBindVertexArray(no_vertices_.id());
@@ -159,6 +184,16 @@ Image Picture::stokes() const {
             const double spread = draws_ < 2 ? 0 : std::max(0.0, static_cast<double>(squares[i]) / n - mean * mean);
             radiance[pixel] = static_cast<float>(mean);
             variance[pixel] = static_cast<float>(static_cast<double>(variances[i]) / n + spread / std::max(1.0, n - 1));
+        }
+    }
+    for (int component = 1; polarizes_ && component < 4; ++component) {
+        const std::vector<float> polarized = sums_.read(2 + component);
+        for (int band = 0; band < 3; ++band) {
+            std::vector<float>& values = image.channel(stokes_channel(component, band));
+            // No component is less certain than the radiance that bears it.
+            image.channel(variance_channel(component, band)) = image.channel(variance_channel(0, band));
+            for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+                values[pixel] = polarized[4 * pixel + static_cast<std::size_t>(band)] / static_cast<float>(draws_);
         }
     }
     return image;

@@ -5,6 +5,7 @@
 
 #include "display/albedo_textures.h"
 #include "display/chart_mesh.h"
+#include "display/passage_table.h"
 #include "display/program.h"
 #include "display/render_target.h"
 #include "display/screen.h"
@@ -68,7 +69,9 @@ class Picture {
     const Scene& scene_;
     TexelStorage storage_;
     BinUpload upload_;
+    const bool polarizes_;  // some surface does, so pictures have S1, S2, S3
     TexelArray materials_;
+    PassageTable passages_;
     AlbedoTextures textures_;
     ChartMesh mesh_;
     Program chart_program_, accumulate_program_, screen_program_;

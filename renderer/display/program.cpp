@@ -95,6 +95,11 @@ void Program::set(const std::string& uniform, glm::uvec2 value) const {
     glUniform2ui(location(uniform), value.x, value.y);
 }
 
+void Program::set(const std::string& uniform, const glm::vec3& value) const {
+    use();
+    glUniform3f(location(uniform), value.x, value.y, value.z);
+}
+
 void Program::set(const std::string& uniform, const glm::mat4& value) const {
     use();
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));

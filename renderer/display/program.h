@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,11 +17,13 @@ class Program {
     /// what the driver says about a good one is logged as a warning.
     Program(const std::string& vertex, const std::string& fragment, const std::vector<std::string>& defines = {});
 
+    bool has(const std::string& uniform) const { return uniforms_.count(uniform) != 0; }
     void use() const { glUseProgram(object_.id()); }
     void set(const std::string& uniform, int value) const;
     void set(const std::string& uniform, float value) const;
     void set(const std::string& uniform, glm::vec2 value) const;
     void set(const std::string& uniform, glm::uvec2 value) const;
+    void set(const std::string& uniform, const glm::vec3& value) const;
     void set(const std::string& uniform, const glm::mat4& value) const;
 
   private:

@@ -26,6 +26,8 @@ constexpr EmbeddedFile embedded_files[] = {
     {"text.frag", embedded::text_frag},
     {"text.vert", embedded::text_vert},
     {"shared/bin_layout.h", embedded::bin_layout_h},
+    {"shared/direction_map.h", embedded::direction_map_h},
+    {"shared/gloss_lookup.h", embedded::gloss_lookup_h},
     {"shared/lookup.h", embedded::lookup_h},
     {"shared/tone.h", embedded::tone_h},
 };

@@ -29,12 +29,18 @@ void BinUpload::submit(std::shared_ptr<const Snapshot> bins) {
 void BinUpload::begin() {
     arriving_ = std::move(waiting_);
     waiting_ = nullptr;
-    nodes_done_ = leaves_done_ = 0;
+    nodes_done_ = leaves_done_ = gloss_nodes_done_ = gloss_leaves_done_ = 0;
     Side& side = sides_[1 - drawn_side_];
     side.nodes.reserve(arriving_->nodes.size());
     side.leaves.reserve(arriving_->leaves.size());
     std::vector<glm::uvec2> roots;
-    for (const ChartBins& chart : arriving_->charts) roots.emplace_back(chart.direct_root, chart.indirect_root);
+    const std::vector<std::uint32_t>& gloss = arriving_->gloss.roots;
+    for (std::size_t i = 0; i < arriving_->charts.size(); ++i) {
+        roots.emplace_back(arriving_->charts[i].direct_root, arriving_->charts[i].indirect_root);
+        roots.emplace_back(i < gloss.size() ? gloss[i] : no_root, 0u);
+    }
+    side.gloss_nodes.reserve(std::max<std::size_t>(1, arriving_->gloss.nodes.size()));
+    side.gloss_leaves.reserve(std::max<std::size_t>(1, arriving_->gloss.leaves.size()));
     side.roots.reserve(roots.size());
     side.roots.write(0, roots.size(), roots.data());
 }
@@ -45,7 +51,11 @@ bool BinUpload::advance(std::size_t bytes) {
     Side& side = sides_[1 - drawn_side_];
     send(arriving_->nodes, side.nodes, nodes_done_, bytes);
     send(arriving_->leaves, side.leaves, leaves_done_, bytes);
-    if (nodes_done_ < arriving_->nodes.size() || leaves_done_ < arriving_->leaves.size()) return false;
+    send(arriving_->gloss.nodes, side.gloss_nodes, gloss_nodes_done_, bytes);
+    send(arriving_->gloss.leaves, side.gloss_leaves, gloss_leaves_done_, bytes);
+    if (nodes_done_ < arriving_->nodes.size() || leaves_done_ < arriving_->leaves.size() ||
+        gloss_nodes_done_ < arriving_->gloss.nodes.size() || gloss_leaves_done_ < arriving_->gloss.leaves.size())
+        return false;
     drawn_ = std::move(arriving_);
     arriving_ = nullptr;
     drawn_side_ = 1 - drawn_side_;
@@ -61,6 +71,9 @@ void BinUpload::bind(const Program& program, int first_unit) const {
     side.nodes.bind(program, "bin_nodes", first_unit);
     side.leaves.bind(program, "bin_leaves", first_unit + 1);
     side.roots.bind(program, "chart_roots", first_unit + 2);
+    if (!program.has("gloss_nodes")) return;
+    side.gloss_nodes.bind(program, "gloss_nodes", first_unit + 3);
+    side.gloss_leaves.bind(program, "gloss_leaves", first_unit + 4);
 }
 
 }  // namespace brewster

@@ -27,23 +27,27 @@ class BinUpload {
     /// Offsets of a world (0 polarized, 1 unpolarized) in the drawn leaves of direct and indirect light.
     glm::uvec2 world_offsets(int world) const;
 
-    /// Binds the drawn bins to texture units `first_unit` .. `first_unit` + 2, under the names of shaders/bins.glsl.
+    static constexpr int units = 5;
+    /// Binds the drawn bins to `units` texture units from `first_unit` on, under the names of shaders/bins.glsl;
+    /// those of gloss only where the program looks at them.
     void bind(const Program& program, int first_unit) const;
 
   private:
     struct Side {
-        TexelArray nodes, leaves, roots;
+        TexelArray nodes, leaves, roots, gloss_nodes, gloss_leaves;
         explicit Side(TexelStorage storage)
             : nodes(TexelFormat::uint2, storage),
               leaves(TexelFormat::float4, storage),
-              roots(TexelFormat::uint2, storage) {}
+              roots(TexelFormat::uint2, storage),
+              gloss_nodes(TexelFormat::uint2, storage),
+              gloss_leaves(TexelFormat::float4, storage) {}
     };
     void begin();
 
     std::array<Side, 2> sides_;
     std::size_t drawn_side_ = 0;
     std::shared_ptr<const Snapshot> drawn_, arriving_, waiting_;
-    std::size_t nodes_done_ = 0, leaves_done_ = 0;
+    std::size_t nodes_done_ = 0, leaves_done_ = 0, gloss_nodes_done_ = 0, gloss_leaves_done_ = 0;
 };
 
 }  // namespace brewster
