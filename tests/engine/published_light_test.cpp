@@ -100,7 +100,7 @@ TEST(PublishedLight, CellsOnTheirOwnWouldShowTheirBorders) {
 }
 
 // Sixteen seeds, 32 x 32 places a chart: the spread of what is read against the standard error that is reported with
-// it. The spread of 16 normals has the median 0.98 of its deviation.
+// it. The spread of 16 normals has the median 0.98 of its deviation; bars may be a tenth too wide, not too narrow.
 TEST(PublishedLight, SeedsSpreadAsTheErrorBarsSay) {
     const auto scene = rooms::read("cornell-box.gltf");
     constexpr std::uint32_t side = 32;
@@ -126,7 +126,7 @@ TEST(PublishedLight, SeedsSpreadAsTheErrorBarsSay) {
         const double variance = (squares[place] / seeds - mean * mean) * seeds / (seeds - 1);
         ratios.push_back(std::sqrt(std::max(variance, 0.0) * seeds / reported[place]));
     }
-    EXPECT_GT(quantile(ratios, 0.5), slow ? 0.6 : 0.9);
+    EXPECT_GT(quantile(ratios, 0.5), slow ? 0.6 : 0.85);
     EXPECT_LT(quantile(ratios, 0.5), slow ? 1.25 : 1.1);
 }
 

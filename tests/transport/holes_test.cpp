@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "rooms.h"
-#include "transport/scalar.h"
+#include "bench.h"
 
 namespace brewster {
 namespace {
@@ -70,27 +69,16 @@ Scene floor_under_sheet(bool with_sheet, std::uint8_t alpha_left, std::uint8_t a
 }
 
 struct Tallied {
-    WorkerSums sums;
+    Ledger ledger;
     std::vector<double> flux;  // direct, of a chart, lumen of band 0
 };
 
 Tallied traced(const Scene& scene, std::uint64_t photons) {
-    const Rays rays(scene);
-    const PhotonEmission emission(scene, 1);
-    std::vector<Outline> outlines(scene.charts.size());
-    for (Outline& outline : outlines)
-        outline.triangles = {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1)},
-                             {glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)}};
-    BinSettings settings;
-    settings.fixed_grid_log2 = 0;
-    const BinTree<2> tree(outlines, {}, settings);
-    const ScalarTransport transport(scene, rays, emission, tree, 1);
-    Tallied result;
-    result.sums.bins.resize(tree.leaf_count());
-    for (std::uint64_t photon = 0; photon < photons; ++photon) transport.trace(photon, result.sums);
+    Bench bench(scene);
+    bench.trace(0, photons);
+    Tallied result{bench.sums.ledger, {}};
     for (std::uint32_t chart = 0; chart < scene.charts.size(); ++chart)
-        result.flux.push_back(to_weight(*result.sums.bins.estimate(tree.node(chart).leaf())) * emission.mean_power() /
-                              static_cast<double>(photons));
+        result.flux.push_back(bench.flux(chart, true, 0));
     return result;
 }
 
@@ -101,7 +89,7 @@ TEST(Holes, CountAsNothing) {
     const Tallied holes = traced(floor_under_sheet(true, 0, 0), photons);
     const Tallied solid = traced(floor_under_sheet(true, 255, 255), photons);
     const Tallied half = traced(floor_under_sheet(true, 0, 255), photons);
-    for (const Tallied* each : {&open, &holes, &solid, &half}) EXPECT_TRUE(each->sums.ledger.balances());
+    for (const Tallied* each : {&open, &holes, &solid, &half}) EXPECT_TRUE(each->ledger.balances());
 
     // The photons are the same, and but for rounding at the edges so are their hits.
     EXPECT_NEAR(holes.flux[0], open.flux[0], 1e-3 * open.flux[0]);
@@ -111,8 +99,8 @@ TEST(Holes, CountAsNothing) {
     // Half of what passes the plane of the sheet passes its left half: all the lower sheet's light that the floor gets,
     // as the floor, seen from the lamp through the sheet, lies within it.
     EXPECT_NEAR(half.flux[0], 0.5 * open.flux[0], 0.02 * open.flux[0]);  // 6700 photons: 3 sigma of sqrt(N)/2
-    EXPECT_EQ(holes.sums.ledger.absorbed, open.sums.ledger.absorbed);
-    EXPECT_GT(solid.sums.ledger.absorbed[0], holes.sums.ledger.absorbed[0]);  // it is nearer the lamp
+    EXPECT_EQ(holes.ledger.absorbed, open.ledger.absorbed);
+    EXPECT_GT(solid.ledger.absorbed[0][0], holes.ledger.absorbed[0][0]);  // it is nearer the lamp
 }
 
 }  // namespace
