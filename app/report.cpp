@@ -50,6 +50,8 @@ Json solve_object(const SolveResult& result) {
           {"escaped", account(ledger.escaped)},
           {"cut", account(ledger.cut)},
           {"roulette", account(ledger.roulette)},
+          {"shading", account(ledger.shading)},
+          {"capped", account(ledger.capped)},
           {"balances", ledger.balances()}}},
         {"relative_error", progress.relative_error},
         {"first_snapshot_ms", progress.first_snapshot_ms},

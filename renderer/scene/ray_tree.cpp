@@ -19,28 +19,32 @@ struct ReleaseTree {
     void operator()(RTCScene tree) const { rtcReleaseScene(tree); }
 };
 
-// A context whose filter rejects hits on the plane that a ray leaves, which the ray carries as its id. Most rays that
+// A context whose filter rejects hits that a ray passes by; it carries the triangle it leaves as its id. Most rays that
 // leave a plane meet it within rounding of their start: rejecting those on the way costs less than tracing them again.
 struct PastContext {
-    explicit PastContext(const std::vector<std::uint32_t>& planes_of_triangles) : planes(&planes_of_triangles) {
+    explicit PastContext(const PassedBy& rule) : passed_by(&rule) {
         rtcInitIntersectContext(&base);
-        base.filter = reject_plane;
+        base.filter = reject;
     }
 
-    static void reject_plane(const RTCFilterFunctionNArguments* arguments) {
+    static void reject(const RTCFilterFunctionNArguments* arguments) {
         const auto& context = *reinterpret_cast<const PastContext*>(arguments->context);
-        for (unsigned i = 0; i < arguments->N; ++i) {
-            const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
-            const unsigned plane = RTCRayN_id(arguments->ray, arguments->N, i);
-            if (arguments->valid[i] && (*context.planes)[triangle] == plane) arguments->valid[i] = 0;
+        const unsigned count = arguments->N;
+        for (unsigned i = 0; i < count; ++i) {
+            if (!arguments->valid[i]) continue;
+            const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, count, i), RTCRayN_dir_y(arguments->ray, count, i),
+                                      RTCRayN_dir_z(arguments->ray, count, i));
+            if ((*context.passed_by)(RTCHitN_primID(arguments->hit, count, i), RTCRayN_id(arguments->ray, count, i),
+                                     direction))
+                arguments->valid[i] = 0;
         }
     }
 
     RTCIntersectContext base;
-    const std::vector<std::uint32_t>* planes;
+    const PassedBy* passed_by;
 };
 
-TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::uint32_t plane) {
+TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray) {
     RTCRayHit query{};
     query.ray.org_x = ray.origin.x;
     query.ray.org_y = ray.origin.y;
@@ -50,20 +54,18 @@ TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::
     query.ray.dir_z = ray.direction.z;
     query.ray.tfar = INFINITY;
     query.ray.mask = 0xffffffffu;
-    query.ray.id = plane;
+    query.ray.id = ray.leaving;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(tree, &context.base, &query);
     return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
 }
 
 // Up to eight rays; lanes without one are switched off.
-void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, std::span<const std::uint32_t> planes,
-                 TriangleHit* hits) {
+void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, TriangleHit* hits) {
     alignas(32) int valid[8];
     RTCRayHit8 query;
     for (std::size_t i = 0; i < 8; ++i) {
-        const std::size_t index = std::min(i, rays.size() - 1);
-        const Ray& ray = rays[index];
+        const Ray& ray = rays[std::min(i, rays.size() - 1)];
         valid[i] = i < rays.size() ? -1 : 0;
         query.ray.org_x[i] = ray.origin.x;
         query.ray.org_y[i] = ray.origin.y;
@@ -74,7 +76,7 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
         query.ray.tnear[i] = query.ray.time[i] = 0.0f;
         query.ray.tfar[i] = INFINITY;
         query.ray.mask[i] = 0xffffffffu;
-        query.ray.id[i] = planes[index];
+        query.ray.id[i] = ray.leaving;
         query.ray.flags[i] = 0;
         query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
@@ -86,13 +88,13 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
 }  // namespace
 
 struct RayTree::Impl {
-    std::vector<std::uint32_t> planes;
+    const PassedBy& passed_by;
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;  // outlives the tree
     std::unique_ptr<RTCSceneTy, ReleaseTree> tree;
 };
 
-RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(std::make_unique<Impl>()) {
-    impl_->planes = std::move(planes);
+RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
+    : impl_(std::make_unique<Impl>(Impl{passed_by, {}, {}})) {
     impl_->device.reset(rtcNewDevice("isa=avx2,threads=1,verbose=0"));
     const RTCDevice device = impl_->device.get();
     if (!device) throw Error("Embree does not start", scene.name, "use a CPU with AVX2");
@@ -123,16 +125,15 @@ RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(
 
 RayTree::~RayTree() = default;
 
-void RayTree::trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes,
-                    std::span<TriangleHit> hits) const {
-    PastContext context(impl_->planes);
+void RayTree::trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+    PastContext context(impl_->passed_by);
     if (rays.size() == 1) {
-        hits[0] = trace_one(impl_->tree.get(), context, rays[0], planes[0]);
+        hits[0] = trace_one(impl_->tree.get(), context, rays[0]);
         return;
     }
     for (std::size_t first = 0; first < rays.size(); first += 8) {
         const std::size_t count = std::min<std::size_t>(8, rays.size() - first);
-        trace_eight(impl_->tree.get(), context, rays.subspan(first, count), planes.subspan(first, count), &hits[first]);
+        trace_eight(impl_->tree.get(), context, rays.subspan(first, count), &hits[first]);
     }
 }
 

@@ -33,6 +33,7 @@ struct Scene {
     glm::dvec3 centre{0.0};
     glm::vec3 low{0.0f}, high{0.0f};  ///< bounds after recentring
     std::vector<glm::vec3> vertices;
+    std::vector<glm::vec3> normals;   ///< of the vertices, unit; zero: flat, facet by facet; none at all: all are flat
     std::vector<Triangle> triangles;  ///< those of one surface stand together
     std::vector<Chart> charts;
     std::vector<std::vector<Contact>> contacts;  ///< per chart
@@ -50,6 +51,13 @@ struct Scene {
     std::vector<std::uint32_t> charts_of(const std::string& mesh_name) const;
 
     glm::vec3 total_power() const;  ///< of all lamps, lumen per band
+
+    /// Unit, on the front; of the plane that the corners span.
+    glm::vec3 facet_normal(const Triangle& triangle) const;
+
+    /// The normal that shades the point b0 A + b1 B + b2 C: interpolated, unit, on the front; of a flat mesh, or where
+    /// the corners' normals cancel or turn away from the facet, the facet's.
+    glm::vec3 shading_normal(const Triangle& triangle, glm::vec3 facet_normal, float b1, float b2) const;
 
     /// The point b0 A + b1 B + b2 C of a triangle, b0 = 1 - b1 - b2, pulled inside its edges by its margin.
     glm::vec3 point_inside(const Triangle& triangle, float b1, float b2) const;

@@ -9,12 +9,14 @@ void Ledger::add(const Ledger& other) {
         escaped[b] += other.escaped[b];
         cut[b] += other.cut[b];
         roulette[b] += other.roulette[b];
+        shading[b] += other.shading[b];
+        capped[b] += other.capped[b];
     }
 }
 
 bool Ledger::balances() const {
     for (std::size_t b = 0; b < emitted.size(); ++b)
-        if (emitted[b] != absorbed[b] + escaped[b] + cut[b] + roulette[b]) return false;
+        if (emitted[b] != absorbed[b] + escaped[b] + cut[b] + roulette[b] + shading[b] + capped[b]) return false;
     return true;
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <span>
 
 #include "base/philox.h"
 #include "scene/lamp.h"
+#include "scene/shading_normal.h"
 #include "transport/deposit.h"
 
 namespace brewster {
@@ -31,6 +33,14 @@ void book(Ledger::Account& account, const glm::vec3& weight) {
 void book(Ledger::Account& account, const glm::vec3& before, const glm::vec3& after) {
     for (int band = 0; band < band_count; ++band)
         account[static_cast<std::size_t>(band)] += to_quanta(before[band]) - to_quanta(after[band]);
+}
+
+constexpr auto largest_correction = static_cast<float>(largest_normal_correction);
+
+// |i.N_s| / |i.N_g|, by which the flux that enters a smooth mesh exceeds the photon's (theory 4.1); not positive where
+// the shading normal turns away from the light.
+float entry_cosines(const Hit& hit, const glm::vec3& direction) {
+    return glm::dot(hit.shading_normal, direction) / glm::dot(hit.normal, direction);
 }
 
 }  // namespace
@@ -65,8 +75,14 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
             book(sums.ledger.absorbed, weight);
             return;
         }
+        const bool flat = hit.shading_normal == hit.normal;
+        const float entry = flat ? 1.0f : entry_cosines(hit, ray.direction);
+        if (!(entry > 0.0f)) {
+            book(sums.ledger.cut, weight);
+            return;
+        }
         if (bounce == 0) ++sums.counts.useful;
-        deposit(tree_, sums.bins, hit, weight, bounce == 0, replica);
+        deposit(tree_, sums.bins, hit, std::min(entry, largest_correction) * weight, bounce == 0, replica);
 
         const Chart& chart = scene_.charts[hit.chart];
         const glm::vec3 reflected = weight * nearest_lambert(scene_.materials[chart.material]);
@@ -95,8 +111,26 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         const float xi_radius = first ? emission_.sobol(photon, PhotonEmission::dimensions) : unit_float(random[1]);
         const float xi_turn = first ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
         ray.origin = hit.position;
-        ray.direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, xi_radius, xi_turn);
+        const Frame frame = flat && !chart.curved ? chart.frame() : chart.frame_about(hit.shading_normal);
+        ray.direction = sample_cosine(frame.u, frame.v, frame.normal, xi_radius, xi_turn);
         ray.leaving = hit.triangle;
+        if (flat) continue;
+        const float above = glm::dot(ray.direction, hit.normal);
+        if (!(above > 0.0f)) {
+            book(sums.ledger.cut, weight);
+            return;
+        }
+        const float correction = entry * above / glm::dot(ray.direction, hit.shading_normal);
+        const glm::vec3 corrected = correction * weight;
+        if (!finite(corrected)) {
+            ++sums.counts.trouble;
+            book(sums.ledger.cut, weight);
+            return;
+        }
+        const glm::vec3 capped = std::min(correction, largest_correction) * weight;
+        book(sums.ledger.shading, weight, corrected);
+        book(sums.ledger.capped, corrected, capped);
+        weight = capped;
     }
     book(sums.ledger.cut, weight);
 }
