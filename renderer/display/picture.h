@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 
+#include "display/albedo_textures.h"
 #include "display/chart_mesh.h"
 #include "display/program.h"
 #include "display/render_target.h"
@@ -39,6 +40,11 @@ class Picture {
     /// From where and how large; another camera or size forgets the draws so far.
     void look(const Camera& camera, int width, int height);
 
+    /// Which world is drawn: light as it is, or as if no surface could tell polarizations apart. A change forgets the
+    /// draws so far.
+    void set_polarization(bool on);
+    bool polarization() const { return polarization_; }
+
     /// Adds draws to the mean. The first looks through the pixels' centres, but 1/128 to the upper left, the next all
     /// over the pixels; 64, or a multiple, see edges best.
     void draw(int count = 1);
@@ -63,12 +69,14 @@ class Picture {
     TexelStorage storage_;
     BinUpload upload_;
     TexelArray materials_;
+    AlbedoTextures textures_;
     ChartMesh mesh_;
     Program chart_program_, accumulate_program_, screen_program_;
     VertexArray no_vertices_;
     RenderTarget drawn_, sums_;
     Camera camera_;
     int draws_ = 0;
+    bool polarization_ = true;
 };
 
 }  // namespace brewster

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "scene/albedo.h"
 
 namespace brewster {
 namespace {
@@ -21,8 +22,9 @@ struct ReleaseTree {
 
 // A context whose filter rejects hits that a ray passes by; it carries the triangle it leaves as its id. Most rays that
 // leave a plane meet it within rounding of their start: rejecting those on the way costs less than tracing them again.
+// Rays pass through holes the same way, unless their flags say that they meet them.
 struct PastContext {
-    explicit PastContext(const PassedBy& rule) : passed_by(&rule) {
+    PastContext(const PassedBy& rule, const Scene* cut_out) : passed_by(&rule), scene(cut_out) {
         rtcInitIntersectContext(&base);
         base.filter = reject;
     }
@@ -32,16 +34,20 @@ struct PastContext {
         const unsigned count = arguments->N;
         for (unsigned i = 0; i < count; ++i) {
             if (!arguments->valid[i]) continue;
+            const unsigned triangle = RTCHitN_primID(arguments->hit, count, i);
             const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, count, i), RTCRayN_dir_y(arguments->ray, count, i),
                                       RTCRayN_dir_z(arguments->ray, count, i));
-            if ((*context.passed_by)(RTCHitN_primID(arguments->hit, count, i), RTCRayN_id(arguments->ray, count, i),
-                                     direction))
+            if ((*context.passed_by)(triangle, RTCRayN_id(arguments->ray, count, i), direction) ||
+                (context.scene && RTCRayN_flags(arguments->ray, count, i) == 0 &&
+                 is_hole(*context.scene, triangle, RTCHitN_u(arguments->hit, count, i),
+                         RTCHitN_v(arguments->hit, count, i))))
                 arguments->valid[i] = 0;
         }
     }
 
     RTCIntersectContext base;
     const PassedBy* passed_by;
+    const Scene* scene;  // null: nothing in it is cut out
 };
 
 TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray) {
@@ -55,6 +61,7 @@ TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray) {
     query.ray.tfar = INFINITY;
     query.ray.mask = 0xffffffffu;
     query.ray.id = ray.leaving;
+    query.ray.flags = ray.meets_holes;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(tree, &context.base, &query);
     return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
@@ -77,7 +84,7 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
         query.ray.tfar[i] = INFINITY;
         query.ray.mask[i] = 0xffffffffu;
         query.ray.id[i] = ray.leaving;
-        query.ray.flags[i] = 0;
+        query.ray.flags[i] = ray.meets_holes;
         query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect8(valid, tree, &context.base, &query);
@@ -89,12 +96,16 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
 
 struct RayTree::Impl {
     const PassedBy& passed_by;
+    const Scene* cut_out = nullptr;                      // the scene, if anything in it is cut out
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;  // outlives the tree
     std::unique_ptr<RTCSceneTy, ReleaseTree> tree;
 };
 
 RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
-    : impl_(std::make_unique<Impl>(Impl{passed_by, {}, {}})) {
+    : impl_(std::make_unique<Impl>(Impl{passed_by, nullptr, {}, {}})) {
+    if (std::any_of(scene.materials.begin(), scene.materials.end(),
+                    [](const Material& material) { return material.alpha_cutoff > 0; }))
+        impl_->cut_out = &scene;
     impl_->device.reset(rtcNewDevice("isa=avx2,threads=1,verbose=0"));
     const RTCDevice device = impl_->device.get();
     if (!device) throw Error("Embree does not start", scene.name, "use a CPU with AVX2");
@@ -126,7 +137,7 @@ RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
 RayTree::~RayTree() = default;
 
 void RayTree::trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
-    PastContext context(impl_->passed_by);
+    PastContext context(impl_->passed_by, impl_->cut_out);
     if (rays.size() == 1) {
         hits[0] = trace_one(impl_->tree.get(), context, rays[0]);
         return;

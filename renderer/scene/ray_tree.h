@@ -13,11 +13,11 @@ namespace brewster {
 /// Constant once built, so any number of threads may ask.
 class RayTree {
   public:
-    RayTree(const Scene& scene, const PassedBy& passed_by);  ///< keeps a reference to `passed_by`
+    RayTree(const Scene& scene, const PassedBy& passed_by);  ///< keeps references to both
     ~RayTree();
 
-    /// The nearest triangle in front of each ray that it does not pass by. One ray alone and a ray in any company get
-    /// the same bits.
+    /// The nearest triangle in front of each ray that it does not pass by, nor a hole there unless the ray meets holes.
+    /// One ray alone and a ray in any company get the same bits.
     void trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const;
 
   private:

@@ -58,7 +58,7 @@ Image indirect_picture(const Scene& scene, const std::vector<Hit>& hits, const S
         if (hits[i].chart == no_chart) continue;
         const Chart& chart = scene.charts[hits[i].chart];
         const lookup::BinValue found =
-            lookup::look_up(bins, bins.charts[hits[i].chart].indirect_root, hits[i].u, hits[i].v);
+            lookup::look_up(bins, bins.charts[hits[i].chart].indirect_root, 0u, hits[i].u, hits[i].v);
         for (int band = 0; band < band_count; ++band) {
             const float factor =
                 nearest_lambert(scene.materials[chart.material])[band] / static_cast<float>(pi) / draws;
