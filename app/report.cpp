@@ -34,9 +34,9 @@ Json account(const Ledger::Account& quanta, std::size_t world, int band_count_in
 Json ledger_object(const Ledger& ledger, const KernelChoice& kernel) {
     const auto world = [&](std::size_t w) -> Json {
         const auto of = [&](const Ledger::Account& quanta) { return account(quanta, w, kernel.bands); };
-        return {{"emitted", of(ledger.emitted)},     {"absorbed", of(ledger.absorbed)},
-                {"escaped", of(ledger.escaped)},     {"cut", of(ledger.cut)},
-                {"corrected", of(ledger.corrected)}, {"roulette", of(ledger.roulette)}};
+        return {{"emitted", of(ledger.emitted)},  {"absorbed", of(ledger.absorbed)}, {"escaped", of(ledger.escaped)},
+                {"cut", of(ledger.cut)},          {"shading", of(ledger.shading)},   {"capped", of(ledger.capped)},
+                {"roulette", of(ledger.roulette)}};
     };
     Json object = world(0);
     if (kernel.stokes > 1) object["unpolarized"] = world(1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "shared/bin_layout.h"
 
@@ -86,14 +87,34 @@ CellGeometry full_cell(double area) {
     return g;
 }
 
+// Whether a triangle, in cell coordinates, lies on one side of both axes and inside the cell: nothing to clip.
+struct Place {
+    bool outside, inside, one_quadrant;
+};
+
+Place place_of(const Polygon& triangle) {
+    Point low = triangle.corners[0], high = low;
+    for (std::size_t i = 1; i < 3; ++i) {
+        low = glm::min(low, triangle.corners[i]);
+        high = glm::max(high, triangle.corners[i]);
+    }
+    Place place;
+    place.outside = low.x >= 1 || low.y >= 1 || high.x <= -1 || high.y <= -1;
+    place.inside = low.x >= -1 && low.y >= -1 && high.x <= 1 && high.y <= 1;
+    place.one_quadrant = place.inside && (low.x >= 0 || high.x <= 0) && (low.y >= 0 || high.y <= 0);
+    return place;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> triangles_in(const Outline& outline, const Box<2>& box,
                                         std::span<const std::uint32_t> triangles) {
     std::vector<std::uint32_t> inside;
     for (const std::uint32_t index : triangles) {
-        const Polygon polygon = clip(in_cell(outline.triangles[index], box), Point(-1), Point(1));
-        if (polygon.count >= 3) inside.push_back(index);
+        const Polygon triangle = in_cell(outline.triangles[index], box);
+        const Place place = place_of(triangle);
+        if (place.outside) continue;
+        if (place.inside || clip(triangle, Point(-1), Point(1)).count >= 3) inside.push_back(index);
     }
     return inside;
 }
@@ -107,7 +128,26 @@ CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<
     double xx = 0, xy = 0, yy = 0, xxy = 0, xyy = 0, xxyy = 0, sign_product = 0;
     Point low(1), high(-1);
     for (const std::uint32_t index : triangles) {
-        const Polygon whole = clip(in_cell(outline.triangles[index], box), Point(-1), Point(1));
+        const double stretch = outline.stretch.empty() ? 1.0 : outline.stretch[index];
+        const Polygon triangle = in_cell(outline.triangles[index], box);
+        const Place place = place_of(triangle);
+        if (place.outside) continue;
+        const auto add_quadrant = [&](const Polygon& quadrant, double sx, double sy) {
+            integrate(quadrant, [&](const Point& p, double projected) {
+                const double weight = stretch * projected;
+                area += weight;
+                first += weight * p;
+                xx += weight * p.x * p.x;
+                xy += weight * p.x * p.y;
+                yy += weight * p.y * p.y;
+                sign += weight * Point(sx, sy);
+                sign_product += weight * sx * sy;
+                xxy += weight * p.x * p.x * p.y;
+                xyy += weight * p.x * p.y * p.y;
+                xxyy += weight * p.x * p.x * p.y * p.y;
+            });
+        };
+        const Polygon whole = place.inside ? triangle : clip(triangle, Point(-1), Point(1));
         for (int i = 0; i < whole.count; ++i) {
             const Point& p = whole.corners[static_cast<std::size_t>(i)];
             for (int axis = 0; axis < 2; ++axis) {
@@ -115,26 +155,18 @@ CellGeometry cell_geometry(const Outline& outline, const Box<2>& box, std::span<
                 high[axis] = std::max(high[axis], p[axis]);
             }
         }
-        for (const double sx : {-1.0, 1.0}) {
-            for (const double sy : {-1.0, 1.0}) {
-                const Polygon quadrant = clip(whole, Point(std::min(sx, 0.0), std::min(sy, 0.0)),
-                                              Point(std::max(sx, 0.0), std::max(sy, 0.0)));
-                integrate(quadrant, [&](const Point& p, double weight) {
-                    area += weight;
-                    first += weight * p;
-                    xx += weight * p.x * p.x;
-                    xy += weight * p.x * p.y;
-                    yy += weight * p.y * p.y;
-                    sign += weight * Point(sx, sy);
-                    sign_product += weight * sx * sy;
-                    xxy += weight * p.x * p.x * p.y;
-                    xyy += weight * p.x * p.y * p.y;
-                    xxyy += weight * p.x * p.x * p.y * p.y;
-                });
-            }
+        if (place.one_quadrant) {
+            const Point middle = whole.corners[0] + whole.corners[1] + whole.corners[2];
+            add_quadrant(whole, middle.x < 0 ? -1 : 1, middle.y < 0 ? -1 : 1);
+            continue;
         }
+        for (const double sx : {-1.0, 1.0})
+            for (const double sy : {-1.0, 1.0})
+                add_quadrant(clip(whole, Point(std::min(sx, 0.0), std::min(sy, 0.0)),
+                                  Point(std::max(sx, 0.0), std::max(sy, 0.0))),
+                             sx, sy);
     }
-    if (area > 4 * (1 - 1e-9)) return full_cell(box_area);
+    if (outline.stretch.empty() && area > 4 * (1 - 1e-9)) return full_cell(box_area);
     CellGeometry g;
     if (area <= 0) return g;
     g.area = box_area * area / 4;

@@ -9,9 +9,11 @@
 namespace brewster {
 
 /// The part of a chart's bounding rectangle that is surface: triangles in (u, v) of [0, 1]^2, in any order and winding.
+/// On a curved chart they are projections of the surface.
 struct Outline {
     std::vector<std::array<glm::dvec2, 3>> triangles;
-    glm::dvec2 size{1, 1};                                    ///< metres along u and v
+    std::vector<double> stretch;  ///< curved charts: area of surface over projected area, of each triangle; flat: none
+    glm::dvec2 size{1, 1};        ///< metres along u and v
     std::vector<std::pair<glm::dvec2, glm::dvec2>> contacts;  ///< lines where other surfaces touch or cross this one
 };
 
@@ -31,7 +33,7 @@ struct CellGeometry {
     double sign_product = 0;             ///< mean of sign x sign y
     double xxy = 0, xyy = 0, xxyy = 0;   ///< means of x^2 y, x y^2, x^2 y^2
     std::array<double, 2> middle{};      ///< middle of what is occupied along x, y
-    bool full = false;                   ///< all of the cell is surface
+    bool full = false;                   ///< all of the cell is surface, and flat
 };
 
 /// Clips the listed triangles of the outline to the box and integrates. Exact up to rounding: every integrand is a

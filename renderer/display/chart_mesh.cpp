@@ -20,6 +20,13 @@ std::array<std::uint16_t, 4> stored(glm::vec4 color) {
     return whole;
 }
 
+glm::vec3 normal_at_corner(const Scene& scene, const Triangle& triangle, std::uint32_t chart, std::uint32_t corner) {
+    if (scene.normals.empty()) return scene.charts[chart].normal;
+    const glm::vec3 front = scene.shading_normal(triangle, scene.facet_normal(triangle), corner == 1 ? 1.0f : 0.0f,
+                                                 corner == 2 ? 1.0f : 0.0f);
+    return chart == triangle.front_chart ? front : -front;
+}
+
 }  // namespace
 
 std::vector<ChartVertex> chart_vertices(const Scene& scene) {
@@ -29,12 +36,14 @@ std::vector<ChartVertex> chart_vertices(const Scene& scene) {
         return texture_of(scene, scene.triangles[a]) < texture_of(scene, scene.triangles[b]);
     });
     std::vector<ChartVertex> vertices;
-    const auto append = [&](std::uint32_t chart, const std::array<std::uint32_t, 3>& corners) {
+    const auto append = [&](const Triangle& triangle, std::uint32_t chart,
+                            const std::array<std::uint32_t, 3>& order_of) {
         if (chart == no_chart) return;
-        for (const std::uint32_t corner : corners) {
+        for (const std::uint32_t k : order_of) {
+            const std::uint32_t corner = triangle.vertices[k];
             const glm::vec3 position = scene.vertices[corner];
             vertices.push_back({position, scene.charts[chart].unit_coordinates(position), chart});
-            vertices.back().normal = scene.charts[chart].normal;
+            vertices.back().normal = normal_at_corner(scene, triangle, chart, k);
             if (!scene.texture_coordinates.empty())
                 vertices.back().texture_coordinates = scene.texture_coordinates[corner];
             if (!scene.vertex_colors.empty()) vertices.back().color = stored(scene.vertex_colors[corner]);
@@ -42,9 +51,8 @@ std::vector<ChartVertex> chart_vertices(const Scene& scene) {
     };
     for (const std::uint32_t index : order) {
         const Triangle& triangle = scene.triangles[index];
-        const auto& [a, b, c] = triangle.vertices;
-        append(triangle.front_chart, {a, b, c});
-        append(triangle.back_chart, {a, c, b});
+        append(triangle, triangle.front_chart, {0, 1, 2});
+        append(triangle, triangle.back_chart, {0, 2, 1});
     }
     return vertices;
 }

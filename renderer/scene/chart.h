@@ -7,8 +7,14 @@
 
 namespace brewster {
 
-/// One side of a planar set of triangles of one mesh and one material, with orthonormal coordinates on it.
-/// u and v run over [0, 1] across the bounding rectangle: position = origin + u size_u axis_u + v size_v axis_v.
+/// Three unit vectors, right-handed.
+struct Frame {
+    glm::vec3 u{1, 0, 0}, v{0, 1, 0}, normal{0, 0, 1};
+};
+
+/// One side of a planar set of triangles of one mesh and one material, or of a curved patch of them that projects
+/// one-to-one on the plane of its rectangle, with orthonormal coordinates on that plane. u and v run over [0, 1] across
+/// the bounding rectangle: position = origin + u size_u axis_u + v size_v axis_v, on a patch plus a height.
 struct Chart {
     std::string mesh;       ///< the node's name
     std::string mesh_name;  ///< the mesh's own
@@ -19,8 +25,15 @@ struct Chart {
     glm::vec3 axis_u{1, 0, 0}, axis_v{0, 1, 0}, normal{0, 0, 1};  ///< right-handed, unit
     float size_u = 1, size_v = 1;                                 ///< metres
     double area = 0;                                              ///< m2, of the triangles
+    bool curved = false;  ///< a patch: the triangles' own normals are within 60 degrees of `normal`
 
-    glm::vec2 unit_coordinates(glm::vec3 position) const;             ///< (u, v); outside [0, 1] beyond the rectangle
+    glm::vec2 unit_coordinates(glm::vec3 position) const;  ///< (u, v); outside [0, 1] beyond the rectangle
+    Frame frame() const { return {axis_u, axis_v, normal}; }
+
+    /// The chart's axes, turned the shortest way (parallel transport, theory 4) with `normal` onto `to`, unit and not
+    /// opposite to it.
+    Frame frame_about(glm::vec3 to) const;
+
     float size() const { return size_u > size_v ? size_u : size_v; }  ///< metres, what relative tolerances refer to
 };
 

@@ -156,18 +156,27 @@ std::vector<std::vector<Contact>> chart_contacts(const Scene& scene) {
     std::vector<std::vector<Contact>> contacts(scene.charts.size());
     if (scene.triangles.empty() || scene.triangles.back().surface >= most_surfaces) return contacts;
     std::vector<Box> boxes;
-    for (const Triangle& triangle : scene.triangles) boxes.push_back(triangle_box(scene, triangle));
+    std::vector<std::uint32_t> planar;  // triangles, beside boxes
+    for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+        if (scene.charts[scene.triangles[t].front_chart].curved) continue;
+        boxes.push_back(triangle_box(scene, scene.triangles[t]));
+        planar.push_back(t);
+    }
+    if (boxes.empty()) return contacts;
     const BoxTree tree(std::move(boxes));
     for (std::uint32_t i = 0; i < scene.charts.size(); ++i) {
         const Chart& chart = scene.charts[i];
+        if (chart.curved) continue;
         if (scene.triangles[chart.first_triangle].front_chart != i) {  // a back: its front stands before it
             for (const Contact& line : contacts[i - 1])
                 contacts[i].push_back({{line.from.y, line.from.x}, {line.to.y, line.to.x}});
             continue;
         }
         PlaneSection section(scene, chart);
-        for (const std::uint32_t t : tree.overlapping(chart_box(chart)))
-            if (scene.triangles[t].surface != chart.surface) section.add(scene.triangles[t]);
+        for (const std::uint32_t box : tree.overlapping(chart_box(chart))) {
+            const Triangle& triangle = scene.triangles[planar[box]];
+            if (triangle.surface != chart.surface) section.add(triangle);
+        }
         contacts[i] = section.contacts();
     }
     return contacts;

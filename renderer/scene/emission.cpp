@@ -4,10 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/check.h"
+
 namespace brewster {
 namespace {
 
-std::vector<float> cumulative_areas(const Scene& scene, const Chart& chart) {
+std::vector<double> cumulative_areas(const Scene& scene, const Chart& chart) {
     std::vector<double> sums;
     double sum = 0;
     for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
@@ -16,10 +18,9 @@ std::vector<float> cumulative_areas(const Scene& scene, const Chart& chart) {
             c(scene.vertices[triangle.vertices[2]]);
         sums.push_back(sum += 0.5 * glm::length(glm::cross(b - a, c - a)));
     }
-    std::vector<float> shares;
-    for (const double area : sums) shares.push_back(static_cast<float>(area / sum));
-    shares.back() = 1.0f;
-    return shares;
+    for (double& share : sums) share /= sum;
+    sums.back() = 1.0;
+    return sums;
 }
 
 // The point of a triangle for two numbers, by folding the unit square's far half back: barycentric b1, b2.
@@ -34,7 +35,7 @@ std::array<float, 2> fold(float x, float y) {
 LampSampler::LampSampler(const Scene& scene) : scene_(scene) {
     for (const Lamp& lamp : scene.lamps) {
         cumulative_.push_back(lamp.kind == LampKind::area ? cumulative_areas(scene, scene.charts[lamp.chart])
-                                                          : std::vector<float>{});
+                                                          : std::vector<double>{});
         suns_.push_back(lamp.kind == LampKind::sun ? sun_rectangle(scene.low, scene.high, lamp.direction)
                                                    : SunRectangle{});
     }
@@ -45,14 +46,15 @@ Emission LampSampler::emit(std::uint32_t index, const std::array<float, 4>& x) c
     switch (lamp.kind) {
         case LampKind::area: {
             const Chart& chart = scene_.charts[lamp.chart];
-            const std::vector<float>& shares = cumulative_[index];
+            const std::vector<double>& shares = cumulative_[index];
             const auto k =
                 static_cast<std::size_t>(std::upper_bound(shares.begin(), shares.end(), x[0]) - shares.begin());
-            const float before = k ? shares[k - 1] : 0.0f;
+            const double before = k ? shares[k - 1] : 0.0;
             const Triangle& triangle = scene_.triangles[chart.first_triangle + k];
-            const auto [b1, b2] = fold((x[0] - before) / (shares[k] - before), x[1]);
-            return {scene_.point_inside(triangle, b1, b2),
-                    sample_cosine(chart.axis_u, chart.axis_v, chart.normal, x[2], x[3]),
+            const double within = (static_cast<double>(x[0]) - before) / (shares[k] - before);
+            const auto [b1, b2] = fold(static_cast<float>(within), x[1]);
+            const Frame frame = chart.curved ? chart.frame_about(scene_.facet_normal(triangle)) : chart.frame();
+            return {scene_.point_inside(triangle, b1, b2), sample_cosine(frame.u, frame.v, frame.normal, x[2], x[3]),
                     chart.first_triangle + static_cast<std::uint32_t>(k)};
         }
         case LampKind::sun: {
@@ -73,6 +75,7 @@ float LampSampler::pdf(std::uint32_t index, glm::vec3 direction) const {
     switch (lamp.kind) {
         case LampKind::area: {
             const Chart& chart = scene_.charts[lamp.chart];
+            BREWSTER_CHECK(!chart.curved, chart.mesh + " is curved");
             return pdf_cosine(chart.normal, direction) / static_cast<float>(chart.area);
         }
         case LampKind::sun:

@@ -25,12 +25,13 @@ class LampSampler {
     Emission emit(std::uint32_t lamp, const std::array<float, 4>& x) const;
 
     /// Of photon starts per m2 of lamp or beam and per steradian (area), per m2 (sun), per steradian (point, spot).
+    /// An area lamp on a curved patch has no one density: there it is pdf_cosine about the facet over the chart's area.
     float pdf(std::uint32_t lamp, glm::vec3 direction) const;
 
   private:
     const Scene& scene_;
-    std::vector<std::vector<float>> cumulative_;  // per lamp: area share up to and with each triangle, ends in 1
-    std::vector<SunRectangle> suns_;              // per lamp
+    std::vector<std::vector<double>> cumulative_;  // per lamp: area share up to and with each triangle, ends in 1
+    std::vector<SunRectangle> suns_;               // per lamp
 };
 
 }  // namespace brewster

@@ -20,36 +20,37 @@ struct ReleaseTree {
     void operator()(RTCScene tree) const { rtcReleaseScene(tree); }
 };
 
-// A context whose filter rejects hits on the plane that a ray leaves, which the ray carries as its id. Most rays that
+// A context whose filter rejects hits that a ray passes by; it carries the triangle it leaves as its id. Most rays that
 // leave a plane meet it within rounding of their start: rejecting those on the way costs less than tracing them again.
 // Rays pass through holes the same way, unless their flags say that they meet them.
 struct PastContext {
-    PastContext(const std::vector<std::uint32_t>& planes_of_triangles, const Scene* cut_out)
-        : planes(&planes_of_triangles), scene(cut_out) {
+    PastContext(const PassedBy& rule, const Scene* cut_out) : passed_by(&rule), scene(cut_out) {
         rtcInitIntersectContext(&base);
-        base.filter = reject_plane;
+        base.filter = reject;
     }
 
-    static void reject_plane(const RTCFilterFunctionNArguments* arguments) {
+    static void reject(const RTCFilterFunctionNArguments* arguments) {
         const auto& context = *reinterpret_cast<const PastContext*>(arguments->context);
-        for (unsigned i = 0; i < arguments->N; ++i) {
-            const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
-            const unsigned plane = RTCRayN_id(arguments->ray, arguments->N, i);
+        const unsigned count = arguments->N;
+        for (unsigned i = 0; i < count; ++i) {
             if (!arguments->valid[i]) continue;
-            if ((*context.planes)[triangle] == plane ||
-                (context.scene && RTCRayN_flags(arguments->ray, arguments->N, i) == 0 &&
-                 is_hole(*context.scene, triangle, RTCHitN_u(arguments->hit, arguments->N, i),
-                         RTCHitN_v(arguments->hit, arguments->N, i))))
+            const unsigned triangle = RTCHitN_primID(arguments->hit, count, i);
+            const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, count, i), RTCRayN_dir_y(arguments->ray, count, i),
+                                      RTCRayN_dir_z(arguments->ray, count, i));
+            if ((*context.passed_by)(triangle, RTCRayN_id(arguments->ray, count, i), direction) ||
+                (context.scene && RTCRayN_flags(arguments->ray, count, i) == 0 &&
+                 is_hole(*context.scene, triangle, RTCHitN_u(arguments->hit, count, i),
+                         RTCHitN_v(arguments->hit, count, i))))
                 arguments->valid[i] = 0;
         }
     }
 
     RTCIntersectContext base;
-    const std::vector<std::uint32_t>* planes;
+    const PassedBy* passed_by;
     const Scene* scene;  // null: nothing in it is cut out
 };
 
-TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::uint32_t plane) {
+TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray) {
     RTCRayHit query{};
     query.ray.org_x = ray.origin.x;
     query.ray.org_y = ray.origin.y;
@@ -59,7 +60,7 @@ TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::
     query.ray.dir_z = ray.direction.z;
     query.ray.tfar = INFINITY;
     query.ray.mask = 0xffffffffu;
-    query.ray.id = plane;
+    query.ray.id = ray.leaving;
     query.ray.flags = ray.meets_holes;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(tree, &context.base, &query);
@@ -67,13 +68,11 @@ TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::
 }
 
 // Up to eight rays; lanes without one are switched off.
-void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, std::span<const std::uint32_t> planes,
-                 TriangleHit* hits) {
+void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, TriangleHit* hits) {
     alignas(32) int valid[8];
     RTCRayHit8 query;
     for (std::size_t i = 0; i < 8; ++i) {
-        const std::size_t index = std::min(i, rays.size() - 1);
-        const Ray& ray = rays[index];
+        const Ray& ray = rays[std::min(i, rays.size() - 1)];
         valid[i] = i < rays.size() ? -1 : 0;
         query.ray.org_x[i] = ray.origin.x;
         query.ray.org_y[i] = ray.origin.y;
@@ -84,7 +83,7 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
         query.ray.tnear[i] = query.ray.time[i] = 0.0f;
         query.ray.tfar[i] = INFINITY;
         query.ray.mask[i] = 0xffffffffu;
-        query.ray.id[i] = planes[index];
+        query.ray.id[i] = ray.leaving;
         query.ray.flags[i] = ray.meets_holes;
         query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
@@ -96,14 +95,14 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
 }  // namespace
 
 struct RayTree::Impl {
-    std::vector<std::uint32_t> planes;
+    const PassedBy& passed_by;
     const Scene* cut_out = nullptr;                      // the scene, if anything in it is cut out
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;  // outlives the tree
     std::unique_ptr<RTCSceneTy, ReleaseTree> tree;
 };
 
-RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(std::make_unique<Impl>()) {
-    impl_->planes = std::move(planes);
+RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
+    : impl_(std::make_unique<Impl>(Impl{passed_by, nullptr, {}, {}})) {
     if (std::any_of(scene.materials.begin(), scene.materials.end(),
                     [](const Material& material) { return material.alpha_cutoff > 0; }))
         impl_->cut_out = &scene;
@@ -137,16 +136,15 @@ RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(
 
 RayTree::~RayTree() = default;
 
-void RayTree::trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes,
-                    std::span<TriangleHit> hits) const {
-    PastContext context(impl_->planes, impl_->cut_out);
+void RayTree::trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+    PastContext context(impl_->passed_by, impl_->cut_out);
     if (rays.size() == 1) {
-        hits[0] = trace_one(impl_->tree.get(), context, rays[0], planes[0]);
+        hits[0] = trace_one(impl_->tree.get(), context, rays[0]);
         return;
     }
     for (std::size_t first = 0; first < rays.size(); first += 8) {
         const std::size_t count = std::min<std::size_t>(8, rays.size() - first);
-        trace_eight(impl_->tree.get(), context, rays.subspan(first, count), planes.subspan(first, count), &hits[first]);
+        trace_eight(impl_->tree.get(), context, rays.subspan(first, count), &hits[first]);
     }
 }
 

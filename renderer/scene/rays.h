@@ -8,10 +8,13 @@
 
 namespace brewster {
 
+/// Nothing in the plane of the triangle that a ray leaves can be hit. Of a curved patch only the triangle itself is
+/// passed by, so that a concave one sees itself, and triangles that share a corner with it where they would be met from
+/// behind: rounding puts a start below its facet's edge.
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f, 0.0f, 1.0f};  ///< unit
-    std::uint32_t leaving = no_triangle;    ///< the triangle the ray starts on (Hit::triangle); its plane cannot be hit
+    std::uint32_t leaving = no_triangle;    ///< the triangle the ray starts on (Hit::triangle): see above
     bool meets_holes = false;               ///< stops at what is cut out by alpha, too, and says so; else passes it
 };
 

@@ -57,6 +57,21 @@ glm::vec3 Scene::total_power() const {
     return sum;
 }
 
+glm::vec3 Scene::facet_normal(const Triangle& triangle) const {
+    const glm::vec3 p0 = vertices[triangle.vertices[0]];
+    return glm::normalize(glm::cross(vertices[triangle.vertices[1]] - p0, vertices[triangle.vertices[2]] - p0));
+}
+
+glm::vec3 Scene::shading_normal(const Triangle& triangle, glm::vec3 facet_normal, float b1, float b2) const {
+    if (normals.empty()) return facet_normal;
+    const glm::vec3 sum = (1.0f - b1 - b2) * normals[triangle.vertices[0]] + b1 * normals[triangle.vertices[1]] +
+                          b2 * normals[triangle.vertices[2]];
+    const float length = glm::length(sum);
+    constexpr float shortest = 1e-3f, least_cosine = 1e-3f;
+    if (length < shortest || glm::dot(sum, facet_normal) < least_cosine * length) return facet_normal;
+    return sum / length;
+}
+
 glm::vec3 Scene::point_inside(const Triangle& triangle, float b1, float b2) const {
     float b[3] = {1.0f - b1 - b2, b1, b2};
     float sum = 0;

@@ -35,6 +35,7 @@ struct Scene {
     glm::dvec3 centre{0.0};
     glm::vec3 low{0.0f}, high{0.0f};  ///< bounds after recentring
     std::vector<glm::vec3> vertices;
+    std::vector<glm::vec3> normals;  ///< of the vertices, unit; zero: flat, facet by facet; none where all are flat
     std::vector<glm::vec2> texture_coordinates;  ///< of the vertices, ready for the texture; none where none is used
     std::vector<glm::vec4> vertex_colors;        ///< of the vertices, linear, [0, 1]; none where all are white
     std::vector<Triangle> triangles;             ///< those of one surface stand together
@@ -55,6 +56,13 @@ struct Scene {
     std::vector<std::uint32_t> charts_of(const std::string& mesh_name) const;
 
     glm::vec3 total_power() const;  ///< of all lamps, lumen per band
+
+    /// Unit, on the front; of the plane that the corners span.
+    glm::vec3 facet_normal(const Triangle& triangle) const;
+
+    /// The normal that shades the point b0 A + b1 B + b2 C: interpolated, unit, on the front; of a flat mesh, or where
+    /// the corners' normals cancel or turn away from the facet, the facet's.
+    glm::vec3 shading_normal(const Triangle& triangle, glm::vec3 facet_normal, float b1, float b2) const;
 
     /// The point b0 A + b1 B + b2 C of a triangle, b0 = 1 - b1 - b2, pulled inside its edges by its margin.
     glm::vec3 point_inside(const Triangle& triangle, float b1, float b2) const;

@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "scene/bounding_rectangle.h"
+#include "scene/patches.h"
 #include "scene/planes.h"
+#include "scene/smooth_edges.h"
 
 namespace brewster {
 namespace {
@@ -28,8 +30,65 @@ bool has_area(const Shape& shape) {
     return 2.0 * shape.area > flattest * longest * longest;
 }
 
+// What becomes a chart: a plane, or a patch with the plane that it is projected on.
+struct Group {
+    PlaneGroup plane;
+    bool curved = false;
+};
+
+std::vector<glm::vec3> facet_normals(const std::vector<glm::vec3>& vertices,
+                                     const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    std::vector<glm::vec3> normals;
+    normals.reserve(triangles.size());
+    for (const auto& triangle : triangles) {
+        const glm::dvec3 a(vertices[triangle[0]]), b(vertices[triangle[1]]), c(vertices[triangle[2]]);
+        normals.emplace_back(glm::normalize(glm::cross(b - a, c - a)));
+    }
+    return normals;
+}
+
+// The plane across a patch's axis, in the middle of its corners' heights.
+Group group_of(Patch&& patch, const std::vector<glm::vec3>& vertices,
+               const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    double low = INFINITY, high = -INFINITY;
+    for (const std::uint32_t t : patch.triangles)
+        for (const std::uint32_t vertex : triangles[t]) {
+            const double height = glm::dot(patch.axis, glm::dvec3(vertices[vertex]));
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+    return {{std::move(patch.triangles), patch.axis, 0.5 * (low + high)}, true};
+}
+
+// Patches of what is curved, planes of the rest, in the order of their first triangles.
+std::vector<Group> groups_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    const std::vector<glm::vec3> normals = facet_normals(part.vertices, triangles);
+    std::vector<Group> groups;
+    std::vector<bool> in_patch(triangles.size(), false);
+    for (Patch& patch : curved_patches(part.vertices, triangles, normals,
+                                       smooth_edges(part.vertices, part.normals, triangles, normals))) {
+        for (const std::uint32_t t : patch.triangles) in_patch[t] = true;
+        groups.push_back(group_of(std::move(patch), part.vertices, triangles));
+    }
+    std::vector<std::array<std::uint32_t, 3>> flat;
+    std::vector<std::uint32_t> index;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        if (in_patch[t]) continue;
+        flat.push_back(triangles[t]);
+        index.push_back(t);
+    }
+    for (PlaneGroup& plane : plane_groups(part.vertices, flat)) {
+        for (std::uint32_t& t : plane.triangles) t = index[t];
+        groups.push_back({std::move(plane), false});
+    }
+    std::sort(groups.begin(), groups.end(),
+              [](const Group& a, const Group& b) { return a.plane.triangles[0] < b.plane.triangles[0]; });
+    return groups;
+}
+
 // A right-handed frame on the plane with the smallest rectangle around the triangles.
-Chart chart_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>& triangles, const PlaneGroup& plane) {
+Chart chart_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>& triangles, const Group& group) {
+    const PlaneGroup& plane = group.plane;
     const glm::dvec3 n = plane.normal;
     const glm::dvec3 lean = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 x = glm::normalize(lean - glm::dot(lean, n) * n), y = glm::cross(n, x);
@@ -54,6 +113,7 @@ Chart chart_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>
     chart.size_u = static_cast<float>(box.length);
     chart.size_v = static_cast<float>(box.width);
     chart.area = area;
+    chart.curved = group.curved;
     return chart;
 }
 
@@ -90,17 +150,23 @@ std::size_t add_surfaces(Scene& scene, const Part& part) {
 
     const auto first_vertex = static_cast<std::uint32_t>(scene.vertices.size());
     scene.vertices.insert(scene.vertices.end(), part.vertices.begin(), part.vertices.end());
+    if (!part.normals.empty() || !scene.normals.empty()) {
+        scene.normals.resize(first_vertex, glm::vec3(0.0f));
+        scene.normals.insert(scene.normals.end(), part.normals.begin(), part.normals.end());
+        scene.normals.resize(scene.vertices.size(), glm::vec3(0.0f));
+    }
     std::uint32_t surface = scene.triangles.empty() ? 0 : scene.triangles.back().surface + 1;
-    for (const PlaneGroup& plane : plane_groups(part.vertices, triangles)) {
-        Chart front = chart_of(part, triangles, plane);
+    for (const Group& group : groups_of(part, triangles)) {
+        const std::vector<std::uint32_t>& members = group.plane.triangles;
+        Chart front = chart_of(part, triangles, group);
         front.surface = surface++;
         front.first_triangle = static_cast<std::uint32_t>(scene.triangles.size());
-        front.triangle_count = static_cast<std::uint32_t>(plane.triangles.size());
+        front.triangle_count = static_cast<std::uint32_t>(members.size());
         Triangle sides;
         sides.surface = front.surface;
         sides.front_chart = static_cast<std::uint32_t>(scene.charts.size());
         if (scene.materials[part.material].double_sided) sides.back_chart = sides.front_chart + 1;
-        for (const std::uint32_t t : plane.triangles) {
+        for (const std::uint32_t t : members) {
             for (std::size_t k = 0; k < 3; ++k) sides.vertices[k] = first_vertex + triangles[t][k];
             sides.margin = margin_of(shape_of(part.vertices, triangles[t]), hit_inset(front));
             scene.triangles.push_back(sides);

@@ -54,6 +54,12 @@ inline Meeting meeting_of(const TransportContext& context, const Hit& hit) {
     return {hit, &material, float_vector(hit.normal), float_vector(hit.shading_normal), inside};
 }
 
+/// |i.N_s| / |i.N_g|, by which the flux that enters a smooth mesh exceeds the photon's (theory 4.1); not positive where
+/// the shading normal turns away from the light.
+inline float cosine_ratio(const Vector<float>& direction, const Meeting& at) {
+    return dot(direction, at.shading_normal) / dot(direction, at.normal);
+}
+
 /// Numbers of one event. The first event of a photon goes on with its Sobol sequence.
 inline ScatterNumbers<float> scatter_numbers(const TransportContext& context, std::uint64_t photon,
                                              std::uint32_t bounce, bool first, bool facets) {
@@ -92,9 +98,8 @@ void scatter_by(const ScatterSample<float, static_cast<std::size_t>(bands)>& sam
 template <int components, int bands>
 void deposit_entry(const TransportContext& context, const Meeting& at, const Vector<float>& direction,
                    const PhotonLight<components, bands>& light, bool direct, std::uint32_t replica, Tally<2>& tally) {
-    const float facing = -dot(direction, at.shading_normal);
-    if (!(facing > 0)) return;
-    const float ratio = std::min(facing / -dot(direction, at.normal), static_cast<float>(largest_normal_correction));
+    const float ratio = std::min(cosine_ratio(direction, at), static_cast<float>(largest_normal_correction));
+    if (!(ratio > 0)) return;
     const PlaneOfIncidence<float> plane = plane_of_incidence(direction, light.axis, at.shading_normal);
     std::array<float, static_cast<std::size_t>(2 * bands)> entered;
     for (int band = 0; band < bands; ++band) {
@@ -118,9 +123,8 @@ template <int components, int bands>
 void deposit_gloss(const TransportContext& context, const Meeting& at, const Vector<float>& direction,
                    const PhotonLight<components, bands>& light, std::uint64_t photon, std::uint32_t bounce,
                    Tally<4>& tally) {
-    const float facing = -dot(direction, at.shading_normal);
-    if (!(facing > 0)) return;
-    const float ratio = std::min(facing / -dot(direction, at.normal), static_cast<float>(largest_normal_correction));
+    const float ratio = std::min(cosine_ratio(direction, at), static_cast<float>(largest_normal_correction));
+    if (!(ratio > 0)) return;
     const Chart& chart = context.scene.charts[at.hit.chart];
     const Vector<float> mean_normal = float_vector(chart.normal);
     const Vector<float> tangent_u = transported_axis(mean_normal, float_vector(chart.axis_u), at.shading_normal);
@@ -188,8 +192,12 @@ bool scatter(const TransportContext& context, const Meeting& at, const ScatterNu
     ray.leaving = at.hit.triangle;
     if (at.hit.normal != at.hit.shading_normal) {
         const PhotonLight<components, bands> uncorrected = light;
+        PhotonLight<components, bands> whole = light;
+        whole.scale(cosine_ratio(direction, at) / cosine_ratio(sample.direction, at));
         light.scale(shading_normal_correction(direction, sample.direction, at.shading_normal, at.normal));
-        book(sums.ledger.corrected, uncorrected, light);
+        if (!whole.finite()) whole = light;
+        book(sums.ledger.shading, uncorrected, whole);
+        book(sums.ledger.capped, whole, light);
     }
     return true;
 }
@@ -249,6 +257,10 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, WorkerS
             break;
         }
         const Meeting at = meeting_of(context, hit);
+        if (hit.normal != hit.shading_normal && !(cosine_ratio(float_vector(ray.direction), at) > 0)) {
+            book(sums.ledger.cut, light);
+            break;
+        }
         useful =
             deposit_arrival<components, bands, gloss>(context, at, ray, light, direct, photon, bounce, sums) || useful;
         const ScatterNumbers<float> numbers = scatter_numbers(context, photon, bounce, direct, at.material->rough());

@@ -10,6 +10,7 @@
 
 #include "base/philox.h"
 #include "base/units.h"
+#include "scene/curved_parts.h"
 #include "scene/exact_hit.h"
 #include "scene/gltf_builder.h"
 #include "scene/lamp.h"
@@ -60,14 +61,14 @@ Leaks bounce(const Scene& scene, std::uint64_t count) {
         leaks.behind += !hit.escaped() && hit.chart == no_chart;
         start = hit.chart == no_chart;
         if (start) continue;
-        const Chart& chart = scene.charts[hit.chart];
-        glm::vec3 direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, z, y);
+        const Frame frame = scene.charts[hit.chart].frame_about(hit.normal);
+        glm::vec3 direction = sample_cosine(frame.u, frame.v, frame.normal, z, y);
         if (words[3] % 4 == 0)
-            direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal,
-                                      1 - 0x1p-24f * static_cast<float>(1 + words[2] % 16), y);
+            direction =
+                sample_cosine(frame.u, frame.v, frame.normal, 1 - 0x1p-24f * static_cast<float>(1 + words[2] % 16), y);
         if (words[3] % 4 == 1) {
             const glm::vec3 corner = glm::normalize(scene.vertices[words[3] / 4 % 8] - hit.position);
-            if (glm::dot(corner, chart.normal) > 2e-4f) direction = corner;
+            if (glm::dot(corner, hit.normal) > 2e-4f) direction = corner;
         }
         ray = {hit.position, direction, hit.triangle};
     }
@@ -283,6 +284,44 @@ TEST(Rays, BacksOfSingleSidedSurfacesAbsorb) {
     EXPECT_FALSE(back.escaped());
     EXPECT_EQ(back.chart, no_chart);
     EXPECT_TRUE(hit_of(rays, {{0, 0, 1}, {0, 0, 1}, no_triangle}).escaped());
+}
+
+// Rays from facet to facet inside a sphere: a concave patch sees itself, and nothing gets out between its facets.
+TEST(Rays, NoLeaksInASphere) {
+    for (const std::uint32_t rows : {16u, 160u}) {
+        Scene scene;
+        scene.materials.emplace_back();
+        add_surfaces(scene, sphere_part(rows, 1, -1));
+        scene.low = glm::vec3(-1);
+        scene.high = glm::vec3(1);
+        ASSERT_TRUE(scene.charts[0].curved);
+        const Leaks leaks = bounce(scene, leak_rays());
+        EXPECT_EQ(leaks.escaped, 0u) << "of " << leaks.rays;
+        EXPECT_EQ(leaks.behind, 0u) << "of " << leaks.rays;
+    }
+}
+
+// On the facet of a curved patch the shading normal runs from corner to corner, on the side that was hit.
+TEST(Rays, ShadingNormalsOfASphere) {
+    Scene scene;
+    scene.materials.emplace_back();
+    scene.materials[0].double_sided = true;
+    add_surfaces(scene, sphere_part(32, 1, 1));
+    scene.low = glm::vec3(-1);
+    scene.high = glm::vec3(1);
+    const Rays rays(scene);
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        const auto words = philox(9, i, 0, 0);
+        const glm::vec3 out = sample_sphere(unit_float(words[0]), unit_float(words[1]));
+        const Hit inside = hit_of(rays, {{0, 0, 0}, out, no_triangle});
+        const Hit outside = hit_of(rays, {2.0f * out, -out, no_triangle});
+        ASSERT_EQ(inside.triangle, outside.triangle);
+        EXPECT_GT(glm::dot(outside.shading_normal, out), 0.9999f);
+        EXPECT_LT(glm::dot(inside.shading_normal, out), -0.9999f);
+        EXPECT_LT(glm::dot(outside.normal, out), 0.99999f + 1e-5f);
+        EXPECT_GT(glm::dot(inside.normal, inside.shading_normal), 0.99f);
+        EXPECT_NE(inside.normal, inside.shading_normal);
+    }
 }
 
 // A rug that lies exactly in the floor: light from the rug meets neither, whatever rounding says.
