@@ -83,19 +83,24 @@ std::optional<Event> scatter(Photon<components>& photon, const Vertex& vertex, c
     photon.direction = sample.direction;
     photon.axis = sample.axis;
     photon.leaving = vertex.surface;
-    const double left = photon.largest();
-    if (!(left > 0)) return {};
-    if (left < roulette_share * photon.reference) {
-        const double survival = left / photon.reference;
-        if (numbers.roulette >= survival) return {};
-        for (auto& band : photon.light) band = (1 / survival) * band;
-    }
+    if (!(photon.largest() > 0)) return {};
     return sample.base ? Event::base : sample.sharp ? Event::sharp : Event::gloss;
+}
+
+template <int components>
+bool survives_roulette(Photon<components>& photon, const BounceNumbers& numbers) {
+    const double survival = photon.largest() / photon.reference;
+    if (survival >= roulette_share) return true;
+    if (numbers.roulette >= survival) return false;
+    for (auto& band : photon.light) band = (1 / survival) * band;
+    return true;
 }
 
 template Photon<1> PhotonSource::emit(const PathRandom&) const;
 template Photon<4> PhotonSource::emit(const PathRandom&) const;
 template std::optional<Event> scatter(Photon<1>&, const Vertex&, const BounceNumbers&);
 template std::optional<Event> scatter(Photon<4>&, const Vertex&, const BounceNumbers&);
+template bool survives_roulette(Photon<1>&, const BounceNumbers&);
+template bool survives_roulette(Photon<4>&, const BounceNumbers&);
 
 }  // namespace brewster

@@ -39,9 +39,13 @@ class PhotonSource {
     std::vector<double> cumulative_, choice_;
 };
 
-/// Takes a photon on from a surface; the event, or none where it ends (absorbed, or lost by roulette, whose survivors
-/// are raised). `pass` may be told not to play the roulette.
+/// Takes a photon on from a surface; the event, or none where it ends.
 template <int components>
 std::optional<Event> scatter(Photon<components>& photon, const Vertex& vertex, const BounceNumbers& numbers);
+
+/// Plays for photons whose weight has fallen below a quarter of that at emission: false for the losers, while survivors
+/// are raised to it.
+template <int components>
+bool survives_roulette(Photon<components>& photon, const BounceNumbers& numbers);
 
 }  // namespace brewster

@@ -1,12 +1,9 @@
 #include "reference/light_tracer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <map>
-#include <mutex>
-#include <thread>
 
+#include "reference/ordered_blocks.h"
 #include "scene/shading_normal.h"
 
 namespace brewster {
@@ -95,38 +92,24 @@ void LightTracer::follow(std::uint64_t index, std::vector<Splat>& splats) const 
         if (!met.vertex->material->sharp()) connect(photon, path_class, *met.vertex, splats);
         const BounceNumbers numbers(random, bounce, met.vertex->material->rough());
         const auto event = scatter(photon, *met.vertex, numbers);
-        if (!event) return;
+        if (!event || !survives_roulette(photon, numbers)) return;
         path_class.add(*event);
     }
 }
 
 void LightTracer::add_photons(std::uint64_t count, unsigned threads) {
     if (!any_) return;
-    const std::uint64_t blocks = (count + block - 1) / block;
-    std::atomic<std::uint64_t> next = 0;
-    std::mutex mutex;
-    std::map<std::uint64_t, std::vector<Splat>> finished;  // blocks that wait for an earlier one
-    std::uint64_t added = 0;
-    const auto work = [&] {
-        for (std::uint64_t b = next++; b < blocks; b = next++) {
+    in_ordered_blocks(
+        photons_, count, block, threads,
+        [&](std::uint64_t first, std::uint64_t end) {
             std::vector<Splat> splats;
-            const std::uint64_t first = photons_ + b * block, end = photons_ + std::min(count, (b + 1) * block);
             for (std::uint64_t index = first; index < end; ++index)
                 settings_.polarized ? follow<4>(index, splats) : follow<1>(index, splats);
-            // Sums are taken in the photons' order, so that their bits do not depend on the threads.
-            const std::lock_guard lock(mutex);
-            finished.emplace(b, std::move(splats));
-            for (auto at = finished.find(added); at != finished.end(); at = finished.find(++added)) {
-                for (const Splat& splat : at->second) sums_.add(splat.pixel, splat.light);
-                finished.erase(at);
-            }
-        }
-    };
-    {
-        std::vector<std::jthread> helpers;
-        for (unsigned t = 1; t < threads; ++t) helpers.emplace_back(work);
-        work();
-    }
+            return splats;
+        },
+        [&](const std::vector<Splat>& splats) {
+            for (const Splat& splat : splats) sums_.add(splat.pixel, splat.light);
+        });
     photons_ += count;
 }
 
