@@ -6,13 +6,13 @@ namespace brewster {
 namespace {
 
 // What the eye sees along a ray: it looks through backs that are not there.
-Hit seen(const Scene& scene, const Rays& rays, Ray ray) {
+Hit seen(const Rays& rays, Ray ray) {
     Hit hit;
     do {
         rays.intersect({&ray, 1}, {&hit, 1});
         if (hit.escaped() || hit.chart != no_chart) return hit;
         ray.origin = hit.position;
-        ray.leaving = scene.triangles[hit.triangle].surface;
+        ray.leaving = hit.triangle;
     } while (true);
 }
 
@@ -27,8 +27,8 @@ std::vector<std::uint8_t> region_mask(const Scene& scene, const std::string& cam
 
     const Rays rays(scene);
     const auto shows_mesh = [&](float x, float y) {
-        const Ray ray{camera.position, ray_direction(camera, width, height, x, y), no_surface};
-        const Hit hit = seen(scene, rays, ray);
+        const Ray ray{camera.position, ray_direction(camera, width, height, x, y), no_triangle};
+        const Hit hit = seen(rays, ray);
         return !hit.escaped() && wanted[hit.chart];
     };
     // Corners are shared by four pixels: asked once.

@@ -73,7 +73,7 @@ class Viewer {
 
     std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const {
         const glm::ivec2 size = window_.framebuffer_size();
-        return seen_point(scene_, rays_, camera.position, ray_direction(camera, size.x, size.y, place.x, place.y));
+        return seen_point(rays_, camera.position, ray_direction(camera, size.x, size.y, place.x, place.y));
     }
 
     void handle(const InputEvent& event) {

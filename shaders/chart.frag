@@ -5,6 +5,9 @@
 // Two texels a chart: albedo, emission (cd/m2).
 uniform FLOAT_TEXELS chart_materials;
 
+// Offsets of the world that is shown, in the leaves of the direct and of the indirect light.
+uniform uvec2 shown_world;
+
 in vec2 chart_coordinates;
 flat in uint chart_index;
 
@@ -17,8 +20,8 @@ void main() {
     uint u = fixed_point_of(chart_coordinates.x);
     uint v = fixed_point_of(chart_coordinates.y);
     uvec2 roots = TEXEL(chart_roots, chart_index).xy;
-    BinValue direct = look_up(roots.x, u, v);
-    BinValue indirect = look_up(roots.y, u, v);
+    BinValue direct = look_up(roots.x, shown_world.x, u, v);
+    BinValue indirect = look_up(roots.y, shown_world.y, u, v);
     vec3 reflected_share = TEXEL(chart_materials, 2u * chart_index).rgb / pi;
     vec3 emission = TEXEL(chart_materials, 2u * chart_index + 1u).rgb;
     radiance = vec4(emission + reflected_share * (direct.value + indirect.value), 1.0);

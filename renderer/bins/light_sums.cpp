@@ -2,13 +2,12 @@
 
 namespace brewster {
 
-using Layout = RecordLayout<2>;
-
-LightSums read_sums(const std::array<Wide, Layout::estimate_size>& own, const Quanta* pending, int light) {
+LightSums read_sums(const RecordLayout<2>& layout, std::span<const Wide> own, const Quanta* pending, int field) {
     LightSums sums;
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
-        const auto row = static_cast<std::size_t>((light * band_count + band) * Layout::estimate_stride);
+        const int channel = field * layout.bands + (layout.bands == 1 ? 0 : band);
+        const auto row = static_cast<std::size_t>(channel * RecordLayout<2>::estimate_stride);
         const auto value = [&](std::size_t i) { return to_weight(own[row + i] + (pending ? pending[row + i] : 0)); };
         sums.weight[b] = value(0);
         sums.moments[b] = {value(1), value(2)};

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <span>
 
 #include "bins/outline.h"
 #include "bins/record.h"
@@ -14,8 +15,9 @@ struct LightSums {
     bool any() const { return weight[0] > 0 || weight[1] > 0 || weight[2] > 0; }
 };
 
-/// Of the direct (0) or the indirect (1) light. `pending`: the leaf's row in the tally of the running batch, or null.
-LightSums read_sums(const std::array<Wide, RecordLayout<2>::estimate_size>& own, const Quanta* pending, int light);
+/// Of one field. `own`: the estimate record; `pending`: the leaf's row in the tally of the running batch, or null. Of a
+/// tree with one band, all three are that band.
+LightSums read_sums(const RecordLayout<2>& layout, std::span<const Wide> own, const Quanta* pending, int field);
 
 /// Adds a child's sums, its cell coordinates turned into the parent's.
 void add_child(LightSums& parent, const Box<2>& parent_box, const LightSums& child, const Box<2>& child_box);

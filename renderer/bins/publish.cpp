@@ -16,25 +16,36 @@ namespace brewster {
 namespace {
 
 using Layout = RecordLayout<2>;
-
 constexpr std::size_t looked_below = 5;  // levels of the tally tree under a published leaf that its error bar asks
 
 class Publisher {
   public:
-    Publisher(const BinTree<2>& tree, const Tally<2>* pending, std::uint64_t photons, double flux_per_weight,
-              const BinSettings& settings)
-        : tree_(tree), pending_(pending), photons_(photons), settings_(settings), flux_per_weight_(flux_per_weight) {}
+    Publisher(const BinTree<2>& tree, const EntryFields& fields, const Tally<2>* pending, std::uint64_t photons,
+              glm::dvec3 flux_per_weight, const BinSettings& settings)
+        : tree_(tree),
+          fields_(fields),
+          pending_(pending),
+          photons_(photons),
+          settings_(settings),
+          flux_per_weight_(flux_per_weight) {}
 
     Snapshot run() {
         snapshot_.photons = photons_;
         snapshot_.charts.resize(tree_.chart_count());
         gather_spreads();
+        snapshot_.direct_worlds = fields_.direct_worlds;
+        snapshot_.indirect_worlds = fields_.indirect_worlds;
         for (int light = 0; light < 2; ++light) {
-            gather_sums(light);
+            gather_sums(fields_.field(light, 0));
             choose_leaves();
             pool_spreads();
-            for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) build_chart(chart, light);
-            write_leaves(light);
+            lay_out(light);
+            // Both worlds have the same leaves, so that what differs between them is light.
+            for (int world = 0; world < worlds_; ++world) {
+                if (world > 0) gather_sums(fields_.field(light, world));
+                fit_leaves();
+                write_leaves(light, world);
+            }
         }
         snapshot_.relative_error = relative_error();
         return std::move(snapshot_);
@@ -50,23 +61,26 @@ class Publisher {
     double age(std::uint32_t node) const { return static_cast<double>(photons_ - tree_.cell(node).birth); }
 
     void gather_spreads();
-    void gather_sums(int light);
+    void gather_sums(int field);
     void choose_leaves();
     void pool_spreads();
     double variance_ratio(std::uint32_t node) const;
-    void build_chart(std::uint32_t chart, int light);
-    void write_leaves(int light);
-    void collect_leaves(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight);
+    void lay_out(int light);
+    void lay_out_node(std::uint32_t node, std::uint32_t slot);
+    void fit_leaves();
+    void fit_below(std::uint32_t node, const glm::dvec3& weight);
+    void write_leaves(int light, int world);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
     void add_excess(std::size_t leaf, Excess& excess) const;
     double relative_error() const;
 
     const BinTree<2>& tree_;
+    const EntryFields fields_;
     const Tally<2>* pending_;
     const std::uint64_t photons_;
     const BinSettings& settings_;
-    const double flux_per_weight_;
+    const glm::dvec3 flux_per_weight_;
     Snapshot snapshot_;
     std::vector<Spread> spreads_;  // per node
     std::vector<LightSums> sums_;  // per node
@@ -83,7 +97,9 @@ class Publisher {
     };
     std::vector<Place> places_;             // the middles of the leaves of the indirect light
     std::vector<std::size_t> chart_begin_;  // into leaves_, per chart and one more
+    std::vector<std::uint32_t> roots_;      // of the light at hand, per chart
     std::uint32_t first_leaf_ = 0;          // the index of leaves_[0] in the snapshot
+    int worlds_ = 1;                        // of the light at hand
 };
 
 // Children stand behind their parents, so a walk from the back meets them first.
@@ -91,7 +107,7 @@ void Publisher::gather_spreads() {
     spreads_.resize(tree_.node_count());
     for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
         Spread& spread = spreads_[node];
-        const auto& own = tree_.sums(node).test;
+        const std::span<const Wide> own = tree_.sums(node).test;
         const Quanta* pending = pending_test(node);
         const auto value = [&](int row) {
             const auto i = static_cast<std::size_t>(row);
@@ -106,10 +122,10 @@ void Publisher::gather_spreads() {
     }
 }
 
-void Publisher::gather_sums(int light) {
+void Publisher::gather_sums(int field) {
     sums_.resize(tree_.node_count());
     for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
-        sums_[node] = read_sums(tree_.sums(node).estimate, pending_estimate(node), light);
+        sums_[node] = read_sums(tree_.layout(), tree_.sums(node).estimate, pending_estimate(node), field);
         if (tree_.node(node).is_leaf()) continue;
         for (const std::uint32_t side : {0u, 1u}) {
             const std::uint32_t child = tree_.node(node).low_child() + side;
@@ -220,7 +236,7 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
     leaf.geometry = &cell.geometry;
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
-        leaf.density[band] = flux_per_weight_ * weight[band] / cell.geometry.area;
+        leaf.density[band] = flux_per_weight_[band] * weight[band] / cell.geometry.area;
         const auto slope = fit.slope(sums.weight[b], sums.moments[b]);
         // On a full cell the fit must not fall below zero in a corner.
         const double steepest = std::abs(slope[0]) + std::abs(slope[1]);
@@ -232,19 +248,41 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
             // Nothing landed here: not known better than one photon of the chart's mean weight.
             const LightSums& chart = sums_[cell.chart];
             const double one = chart.weight[b] > 0 ? chart.squares[b] / chart.weight[b] : 0;
-            leaf.standard_error[band] = age(node) > 0 ? flux_per_weight_ * one / (age(node) * cell.geometry.area) : 0;
+            leaf.standard_error[band] =
+                age(node) > 0 ? flux_per_weight_[band] * one / (age(node) * cell.geometry.area) : 0;
         }
     }
     return leaf;
 }
 
+void Publisher::lay_out(int light) {
+    worlds_ = fields_.worlds(light);
+    first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
+    leaf_nodes_.clear();
+    roots_.clear();
+    chart_begin_.assign(1, 0);
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        const auto root = static_cast<std::uint32_t>(snapshot_.nodes.size());
+        snapshot_.nodes.emplace_back();
+        lay_out_node(chart, root);
+        roots_.push_back(root);
+        chart_begin_.push_back(leaf_nodes_.size());
+        ChartBins& bins = snapshot_.charts[chart];
+        (light == 0 ? bins.direct_root : bins.indirect_root) = root;
+        (light == 0 ? bins.direct_leaves : bins.indirect_leaves) =
+            static_cast<std::uint32_t>(chart_begin_[chart + 1] - chart_begin_[chart]);
+    }
+    snapshot_.leaves.resize(snapshot_.leaves.size() +
+                            leaf_nodes_.size() * static_cast<std::size_t>(worlds_) * BREWSTER_LEAF_TEXELS);
+}
+
 // Writes the node at `slot` of the snapshot and all below it.
-void Publisher::collect_leaves(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight) {
+void Publisher::lay_out_node(std::uint32_t node, std::uint32_t slot) {
     const TreeNode& tree_node = tree_.node(node);
     if (tree_node.is_leaf() || !keep_[node]) {
-        const auto index = first_leaf_ + static_cast<std::uint32_t>(leaves_.size());
+        const auto index =
+            first_leaf_ + static_cast<std::uint32_t>(leaf_nodes_.size()) * static_cast<std::uint32_t>(worlds_);
         snapshot_.nodes[slot] = {0u, BREWSTER_NODE_LEAF | index};
-        leaves_.push_back(fit_leaf(node, weight));
         leaf_nodes_.push_back(node);
         return;
     }
@@ -252,6 +290,34 @@ void Publisher::collect_leaves(std::uint32_t node, std::uint32_t slot, const glm
     const auto child_slot = static_cast<std::uint32_t>(snapshot_.nodes.size());
     snapshot_.nodes.resize(child_slot + 2);
     snapshot_.nodes[slot] = {tree_node.split, tree_node.axis() << BREWSTER_NODE_AXIS_SHIFT | child_slot};
+    for (const std::uint32_t side : {0u, 1u}) lay_out_node(low + side, child_slot + side);
+}
+
+// In the order of lay_out.
+void Publisher::fit_leaves() {
+    leaves_.clear();
+    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+        const auto& total = sums_[chart].weight;
+        const std::size_t begin = leaves_.size();
+        fit_below(chart, glm::dvec3(total[0], total[1], total[2]) / age(chart));
+        const std::span<PublishedLeaf> own(leaves_.begin() + static_cast<std::ptrdiff_t>(begin), leaves_.end());
+        if (settings_.join_corners) {
+            join_corners(own, [&](std::uint32_t u, std::uint32_t v) {
+                return locate(roots_[chart], u, v) - static_cast<std::uint32_t>(begin);
+            });
+        } else {
+            keep_own_corners(own);
+        }
+    }
+}
+
+void Publisher::fit_below(std::uint32_t node, const glm::dvec3& weight) {
+    const TreeNode& tree_node = tree_.node(node);
+    if (tree_node.is_leaf() || !keep_[node]) {
+        leaves_.push_back(fit_leaf(node, weight));
+        return;
+    }
+    const std::uint32_t low = tree_node.low_child();
     glm::dvec3 shares[2];
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
@@ -262,7 +328,7 @@ void Publisher::collect_leaves(std::uint32_t node, std::uint32_t slot, const glm
                 together > 0 ? sums_[low + side].weight[b] / together : tree_.cell(low + side).geometry.area / areas;
         }
     }
-    for (const std::uint32_t side : {0u, 1u}) collect_leaves(low + side, child_slot + side, weight * shares[side]);
+    for (const std::uint32_t side : {0u, 1u}) fit_below(low + side, weight * shares[side]);
 }
 
 std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const {
@@ -271,33 +337,7 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
         const std::uint32_t x = (node.y >> BREWSTER_NODE_AXIS_SHIFT) == 0 ? u : v;
         node = snapshot_.nodes[(node.y & BREWSTER_NODE_INDEX) + (x < node.x ? 0u : 1u)];
     }
-    return (node.y & ~BREWSTER_NODE_LEAF) - first_leaf_;
-}
-
-void Publisher::build_chart(std::uint32_t chart, int light) {
-    if (chart == 0) {
-        leaves_.clear();
-        leaf_nodes_.clear();
-        chart_begin_.assign(1, 0);
-        first_leaf_ = static_cast<std::uint32_t>(snapshot_.leaves.size() / BREWSTER_LEAF_TEXELS);
-    }
-    const auto root = static_cast<std::uint32_t>(snapshot_.nodes.size());
-    snapshot_.nodes.emplace_back();
-    const auto& total = sums_[chart].weight;
-    const std::size_t begin = leaves_.size();
-    collect_leaves(chart, root, glm::dvec3(total[0], total[1], total[2]) / age(chart));
-    chart_begin_.push_back(leaves_.size());
-    const std::span<PublishedLeaf> own(leaves_.begin() + static_cast<std::ptrdiff_t>(begin), leaves_.end());
-    if (settings_.join_corners) {
-        join_corners(own, [&](std::uint32_t u, std::uint32_t v) {
-            return locate(root, u, v) - static_cast<std::uint32_t>(begin);
-        });
-    } else {
-        keep_own_corners(own);
-    }
-    ChartBins& bins = snapshot_.charts[chart];
-    (light == 0 ? bins.direct_root : bins.indirect_root) = root;
-    (light == 0 ? bins.direct_leaves : bins.indirect_leaves) = static_cast<std::uint32_t>(own.size());
+    return ((node.y & ~BREWSTER_NODE_LEAF) - first_leaf_) / static_cast<std::uint32_t>(worlds_);
 }
 
 void Publisher::add_excess(std::size_t leaf, Excess& excess) const {
@@ -312,7 +352,7 @@ void Publisher::add_excess(std::size_t leaf, Excess& excess) const {
     excess.leaves += 1;
 }
 
-void Publisher::write_leaves(int light) {
+void Publisher::write_leaves(int light, int world) {
     Excess scene;
     for (std::size_t i = 0; i < leaves_.size(); ++i) add_excess(i, scene);
     for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
@@ -322,11 +362,14 @@ void Publisher::write_leaves(int light) {
         for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) {
             const PublishedLeaf& leaf = leaves_[i];
             const glm::dvec3 error = std::sqrt(leaf.freedom * inflation) * leaf.standard_error;
+            glm::vec4* texels =
+                &snapshot_.leaves[BREWSTER_LEAF_TEXELS * (first_leaf_ + i * static_cast<std::size_t>(worlds_) +
+                                                          static_cast<std::size_t>(world))];
             for (int corner = 0; corner < 4; ++corner) {
-                snapshot_.leaves.emplace_back(glm::vec3(leaf.corners[static_cast<std::size_t>(corner)]),
-                                              corner < 3 ? static_cast<float>(error[corner]) : 0.0f);
+                texels[corner] = {glm::vec3(leaf.corners[static_cast<std::size_t>(corner)]),
+                                  corner < 3 ? static_cast<float>(error[corner]) : 0.0f};
             }
-            if (light == 0) continue;
+            if (light == 0 || world > 0) continue;
             const auto middle = [&](std::size_t a) {
                 return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2;
             };
@@ -344,7 +387,7 @@ double Publisher::relative_error() const {
         const ChartBins& bins = snapshot_.charts[place.chart];
         glm::dvec2 sum(0);
         for (const std::uint32_t root : {bins.direct_root, bins.indirect_root}) {
-            const lookup::BinValue found = lookup::look_up(snapshot_, root, place.u, place.v);
+            const lookup::BinValue found = lookup::look_up(snapshot_, root, 0u, place.u, place.v);
             const double error = (found.standard_error.x + found.standard_error.y + found.standard_error.z) / 3.0;
             sum.x += (found.value.x + found.value.y + found.value.z) / 3.0;
             sum.y += error * error;
@@ -364,10 +407,11 @@ double Publisher::relative_error() const {
 
 }  // namespace
 
-Snapshot publish(const BinTree<2>& tree, const Tally<2>* pending, std::uint64_t photons, double flux_per_weight,
-                 const BinSettings& settings) {
+Snapshot publish(const BinTree<2>& tree, const EntryFields& fields, const Tally<2>* pending, std::uint64_t photons,
+                 glm::dvec3 flux_per_weight, const BinSettings& settings) {
     BREWSTER_CHECK(photons > 0, "nothing to publish before the first photon");
-    return Publisher(tree, pending, photons, flux_per_weight, settings).run();
+    BREWSTER_CHECK(tree.layout() == fields.layout(), "the tree keeps other fields");
+    return Publisher(tree, fields, pending, photons, flux_per_weight, settings).run();
 }
 
 }  // namespace brewster

@@ -1,4 +1,5 @@
 #pragma once
+#include <glm/vec3.hpp>
 #include <memory>
 
 #include "bins/bin_settings.h"
@@ -11,9 +12,10 @@ namespace brewster {
 /// lookup. Bottom-up: a split is kept if what it adds to the parent's linear fit, plus what its children gain, exceeds
 /// 2 lambda times its noise. Top-down: a child's value is its parent's times its share of what came since the split.
 ///
-/// `pending`: tallies of the running batch, or null. `photons`: emitted in all. `flux_per_weight`: lumen of one unit of
-/// weight times the number of photons, that is the mean power of all lamps over the bands.
-Snapshot publish(const BinTree<2>& tree, const Tally<2>* pending, std::uint64_t photons, double flux_per_weight,
-                 const BinSettings& settings);
+/// `fields`: what the tree's records hold. `pending`: tallies of the running batch, or null. `photons`: emitted in all.
+/// `flux_per_weight`: per band, lumen of one unit of weight times the number of photons; where photons carry all bands
+/// apart, that is the mean power of all lamps over the bands.
+Snapshot publish(const BinTree<2>& tree, const EntryFields& fields, const Tally<2>* pending, std::uint64_t photons,
+                 glm::dvec3 flux_per_weight, const BinSettings& settings);
 
 }  // namespace brewster

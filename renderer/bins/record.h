@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/fixed_point.h"
@@ -10,49 +11,85 @@ namespace brewster {
 
 inline constexpr int replica_count = 8;  ///< photon index mod 8; their spread gives the error bars
 
-/// Where a number stands in the two records of a leaf. Channels of the estimate: bands of the direct, then of the
-/// indirect light. Cell coordinates x_a of [-1, 1].
+/// Where a number stands in the two records of a leaf of one tree.
+///
+/// A field is a light that the tree tells from others, with a channel for each band. Over position (D = 2): direct light
+/// in the polarized world, direct in the unpolarized one where that differs, then indirect light likewise. Over position
+/// and direction (D = 4): S0, S1, .. of the polarized world, then S0 of the unpolarized one where that differs.
+///
+/// The estimate has for each channel sum w, sum w x_a of the cell coordinates x_a of [-1, 1], and sum w^2. The test has,
+/// of the band mean of the main fields: sum w^2, per axis sum w x, sum w (3 x^2 - 1)/2, sum w sign x, per pair of axes
+/// sum w sign x_a sign x_b, and sum w of each replica; then of each side field, per axis, sum w (3 x^2 - 1)/2 and
+/// sum w sign x: a split may be seen in them alone.
 template <int D>
 struct RecordLayout {
-    static constexpr int channels = 2 * band_count;
-    static constexpr int estimate_stride = D + 2;  ///< per channel: sum w, sum w x_a, sum w^2
-    static constexpr int estimate_size = channels * estimate_stride;
+    static constexpr int estimate_stride = D + 2;
     static constexpr int pair_count = D * (D - 1) / 2;
-
-    // The test record, of the band mean: sum w^2, then per axis sum w x, sum w (3 x^2 - 1)/2, sum w sign x, then per
-    // pair of axes sum w sign x_a sign x_b, then sum w of each replica.
     static constexpr int squares = 0;
     static constexpr int moments = 1;
     static constexpr int legendre = moments + D;
     static constexpr int signs = legendre + D;
     static constexpr int products = signs + D;
     static constexpr int replicas = products + pair_count;
-    static constexpr int test_size = replicas + replica_count;
+    static constexpr int sides = replicas + replica_count;
+    static constexpr int side_stride = 2 * D;
+
+    static constexpr int most_fields = 5;  ///< S0 .. S3 and the unpolarized S0
+
+    int bands = band_count;  ///< 1: all light of the scene has one colour
+    int fields = D == 2 ? 2 : 1;
+    int side_fields = 0;                        ///< how many of the fields are beside the main ones
+    std::array<int, most_fields> side_field{};  ///< which
+
+    int channels() const { return bands * fields; }
+    int estimate_size() const { return channels() * estimate_stride; }
+    int test_size() const { return sides + side_fields * side_stride; }
+    bool operator==(const RecordLayout&) const = default;
+};
+
+/// The fields of light that enters bases: how many worlds there are of the direct and of the indirect light, 1 where the
+/// polarized and the unpolarized world are the same.
+struct EntryFields {
+    int bands = band_count;
+    int direct_worlds = 1, indirect_worlds = 1;
+
+    RecordLayout<2> layout() const {
+        RecordLayout<2> layout{bands, direct_worlds + indirect_worlds, 0, {}};
+        for (const int light : {0, 1})
+            if (worlds(light) == 2) layout.side_field[static_cast<std::size_t>(layout.side_fields++)] = field(light, 1);
+        return layout;
+    }
+    int worlds(int light) const { return light == 0 ? direct_worlds : indirect_worlds; }
+    /// light: 0 direct, 1 indirect; world: 0 polarized, 1 unpolarized.
+    int field(int light, int world) const {
+        return (light == 0 ? 0 : direct_worlds) + (worlds(light) == 2 ? world : 0);
+    }
+    bool operator==(const EntryFields&) const = default;
 };
 
 /// Sums of one cell over everything that landed in it since it came to be.
-template <int D>
 struct CellSums {
-    std::array<Wide, RecordLayout<D>::estimate_size> estimate{};
-    std::array<Wide, RecordLayout<D>::test_size> test{};
+    std::span<const Wide> estimate, test;
 };
 
 /// What one thread has tallied since the last hand-over: one row of each record a leaf.
 template <int D>
 class Tally {
   public:
-    using Layout = RecordLayout<D>;
+    explicit Tally(const RecordLayout<D>& layout = {})
+        : estimate_size_(static_cast<std::size_t>(layout.estimate_size())),
+          test_size_(static_cast<std::size_t>(layout.test_size())) {}
 
     void resize(std::size_t leaves) {
-        estimate_.resize(leaves * Layout::estimate_size);
-        test_.resize(leaves * Layout::test_size);
+        estimate_.resize(leaves * estimate_size_);
+        test_.resize(leaves * test_size_);
     }
-    std::size_t leaves() const { return estimate_.size() / Layout::estimate_size; }
+    std::size_t leaves() const { return test_.size() / test_size_; }
 
-    Quanta* estimate(std::uint32_t leaf) { return &estimate_[std::size_t{leaf} * Layout::estimate_size]; }
-    Quanta* test(std::uint32_t leaf) { return &test_[std::size_t{leaf} * Layout::test_size]; }
-    const Quanta* estimate(std::uint32_t leaf) const { return &estimate_[std::size_t{leaf} * Layout::estimate_size]; }
-    const Quanta* test(std::uint32_t leaf) const { return &test_[std::size_t{leaf} * Layout::test_size]; }
+    Quanta* estimate(std::uint32_t leaf) { return &estimate_[leaf * estimate_size_]; }
+    Quanta* test(std::uint32_t leaf) { return &test_[leaf * test_size_]; }
+    const Quanta* estimate(std::uint32_t leaf) const { return &estimate_[leaf * estimate_size_]; }
+    const Quanta* test(std::uint32_t leaf) const { return &test_[leaf * test_size_]; }
 
     /// Moves the other's sums into this tally and leaves it at zero.
     void take(Tally& other) {
@@ -68,6 +105,7 @@ class Tally {
         }
     }
 
+    std::size_t estimate_size_, test_size_;
     std::vector<Quanta> estimate_, test_;
 };
 

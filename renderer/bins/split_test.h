@@ -25,21 +25,21 @@ struct SplitChoice {
 /// explain, interactions of two axes (their per-axis projections may be flat). Under a uniform density the second
 /// moment has variance V/5, the step V/4, the interaction V, with V = sum w^2. Nothing if the leaf has too few photons
 /// or no test passes settings.split_z_squared.
+/// Side fields are tested by their second moments and steps alone, against the squares of their own bands.
 template <int D>
-std::optional<SplitChoice> choose_split(const CellSums<D>& sums, const NullMoments<D>& null,
+std::optional<SplitChoice> choose_split(const RecordLayout<D>& layout, const CellSums& sums, const NullMoments<D>& null,
                                         const BinSettings& settings) {
     using Layout = RecordLayout<D>;
-    Wide total = 0;
-    for (int r = 0; r < replica_count; ++r) total += sums.test[static_cast<std::size_t>(Layout::replicas + r)];
-    const double weight = to_weight(total);
-    const double squares = to_weight(sums.test[Layout::squares]);
+    const auto sum = [&](int row) { return to_weight(sums.test[static_cast<std::size_t>(row)]); };
+    double weight = 0;
+    for (int r = 0; r < replica_count; ++r) weight += sum(Layout::replicas + r);
+    const double squares = sum(Layout::squares);
     if (weight <= 0 || weight * weight < settings.split_photons * squares) return std::nullopt;
 
-    const auto sum = [&](int row) { return to_weight(sums.test[static_cast<std::size_t>(row)]); };
     SplitChoice best;
     best.power = weight;
     const auto consider = [&](int axis, double deviation, double variance) {
-        const double z_squared = deviation * deviation / variance;
+        const double z_squared = variance > 0 ? deviation * deviation / variance : 0;
         if (z_squared > best.z_squared) {
             best.axis = axis;
             best.z_squared = z_squared;
@@ -59,6 +59,25 @@ std::optional<SplitChoice> choose_split(const CellSums<D>& sums, const NullMomen
                 std::abs(slope[static_cast<std::size_t>(a)]) >= std::abs(slope[static_cast<std::size_t>(b)]) ? a : b;
             consider(steeper, sum(Layout::products + pair) - weight * null.sign_product[static_cast<std::size_t>(pair)],
                      squares);
+        }
+    }
+    for (int side = 0; side < layout.side_fields; ++side) {
+        // Band means of the estimate's sums; the mean of the squares is no less than the square of the mean.
+        const auto band_mean = [&](int entry) {
+            double total = 0;
+            for (int band = 0; band < layout.bands; ++band) {
+                const int channel = layout.side_field[static_cast<std::size_t>(side)] * layout.bands + band;
+                total += to_weight(sums.estimate[static_cast<std::size_t>(channel * Layout::estimate_stride + entry)]);
+            }
+            return total / layout.bands;
+        };
+        const double side_weight = band_mean(0), side_squares = band_mean(1 + D);
+        const int row = Layout::sides + side * Layout::side_stride;
+        for (int a = 0; a < D; ++a) {
+            const auto i = static_cast<std::size_t>(a);
+            const double side_slope = band_mean(1 + a) - side_weight * null.mean[i];
+            consider(a, sum(row + a) - side_weight * null.legendre[i], side_squares / 5);
+            consider(a, sum(row + D + a) - side_weight * null.sign[i] - 1.5 * side_slope, side_squares / 4);
         }
     }
     if (best.z_squared <= settings.split_z_squared) return std::nullopt;

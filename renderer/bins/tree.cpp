@@ -41,11 +41,13 @@ NullMoments<D> null_moments(const CellGeometry& geometry) {
     return null;
 }
 
-// Half the nodes are leaves; a snapshot holds at most two nodes and two leaves of four texels for each of them.
-template <int D>
-constexpr std::size_t bytes_per_node = sizeof(TreeNode) + sizeof(Cell<D>) + sizeof(CellSums<D>) +
-                                       sizeof(LeafFrame<D>) / 2 +
-                                       2 * (2 * sizeof(TreeNode) + BREWSTER_LEAF_TEXELS * 4 * sizeof(float));
+void drain(Quanta* from, std::vector<Wide>& to, std::size_t row, int size) {
+    const auto count = static_cast<std::size_t>(size);
+    for (std::size_t i = 0; i < count; ++i) {
+        to[row * count + i] += from[i];
+        from[i] = 0;
+    }
+}
 
 std::uint32_t fixed(double unit) {
     return static_cast<std::uint32_t>(std::clamp(std::lround(unit * BREWSTER_UV_ONE), 0L, long{BREWSTER_UV_ONE}));
@@ -54,7 +56,8 @@ std::uint32_t fixed(double unit) {
 }  // namespace
 
 template <int D>
-BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) : outlines_(std::move(outlines)) {
+BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout, const BinSettings& settings)
+    : outlines_(std::move(outlines)), layout_(layout) {
     const std::uint32_t charts = chart_count();
     double total_area = 0;
     for (std::uint32_t chart = 0; chart < charts; ++chart) {
@@ -69,11 +72,9 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) 
         total_area += cell.geometry.area;
         TreeNode node;
         node.word = BREWSTER_NODE_LEAF | chart;
-        nodes_.push_back(node);
         frames_.push_back(frame_of(cell.box));
         node_of_leaf_.push_back(chart);
-        cells_.push_back(std::move(cell));
-        sums_.emplace_back();
+        add_node(node, std::move(cell));
     }
     if (settings.fixed_grid_log2 >= 0) {
         for (std::uint32_t chart = 0; chart < charts; ++chart) {
@@ -85,7 +86,7 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const BinSettings& settings) 
     // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell
     // nothing.
     const double first_cells =
-        std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node<D>));
+        std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node()));
     const std::size_t contact_nodes = nodes_.size();
     for (std::uint32_t index = 0; index < contact_nodes; ++index) {
         if (!nodes_[index].is_leaf()) continue;
@@ -140,9 +141,7 @@ void BinTree<D>::split(std::uint32_t index, int axis, std::uint32_t position, st
         node_of_leaf_[row] = low_child + static_cast<std::uint32_t>(side);
         TreeNode node;
         node.word = BREWSTER_NODE_LEAF | row;
-        nodes_.push_back(node);
-        cells_.push_back(std::move(child));
-        sums_.emplace_back();
+        add_node(node, std::move(child));
     }
     nodes_[index].split = position;
     nodes_[index].word = static_cast<std::uint32_t>(axis) << BREWSTER_NODE_AXIS_SHIFT | low_child;
@@ -207,24 +206,34 @@ void BinTree<D>::split_evenly(std::uint32_t index, int levels, const glm::dvec2&
 }
 
 template <int D>
+void BinTree<D>::add_node(const TreeNode& node, Cell<D>&& cell) {
+    nodes_.push_back(node);
+    cells_.push_back(std::move(cell));
+    estimate_sums_.resize(estimate_sums_.size() + static_cast<std::size_t>(layout_.estimate_size()));
+    test_sums_.resize(test_sums_.size() + static_cast<std::size_t>(layout_.test_size()));
+}
+
+// Half the nodes are leaves; a snapshot holds at most two nodes for each of them, and for each field and leaf the corner
+// texels of D = 2, or as many as a value and its slopes fill.
+template <int D>
+std::size_t BinTree<D>::bytes_per_node() const {
+    const std::size_t records = sizeof(Wide) * static_cast<std::size_t>(layout_.estimate_size() + layout_.test_size());
+    const std::size_t published =
+        2 * sizeof(TreeNode) + BREWSTER_LEAF_TEXELS * 4 * sizeof(float) * static_cast<std::size_t>(layout_.fields);
+    return sizeof(TreeNode) + sizeof(Cell<D>) + records + sizeof(LeafFrame<D>) / 2 + 2 * published;
+}
+
+template <int D>
 std::size_t BinTree<D>::bytes() const {
-    return node_count() * bytes_per_node<D>;
+    return node_count() * bytes_per_node();
 }
 
 template <int D>
 void BinTree<D>::absorb(Tally<D>& tally) {
     for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
-        CellSums<D>& sums = sums_[node_of_leaf_[leaf]];
-        Quanta* estimate = tally.estimate(leaf);
-        for (std::size_t i = 0; i < sums.estimate.size(); ++i) {
-            sums.estimate[i] += estimate[i];
-            estimate[i] = 0;
-        }
-        Quanta* test = tally.test(leaf);
-        for (std::size_t i = 0; i < sums.test.size(); ++i) {
-            sums.test[i] += test[i];
-            test[i] = 0;
-        }
+        const std::size_t node = node_of_leaf_[leaf];
+        drain(tally.estimate(leaf), estimate_sums_, node, layout_.estimate_size());
+        drain(tally.test(leaf), test_sums_, node, layout_.test_size());
     }
 }
 
@@ -239,7 +248,7 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
     };
     std::vector<Candidate> candidates;
     for (const std::uint32_t index : node_of_leaf_) {
-        const auto choice = choose_split<D>(sums_[index], null_moments<D>(cells_[index].geometry), settings);
+        const auto choice = choose_split<D>(layout_, sums(index), null_moments<D>(cells_[index].geometry), settings);
         if (!choice) continue;
         Candidate candidate{choice->z_squared * choice->power, index, choice->axis, 0};
         if (split_position(index, candidate.axis, candidate.position)) candidates.push_back(candidate);
@@ -248,7 +257,7 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
         return a.value != b.value ? a.value > b.value : a.node < b.node;
     });
     for (const Candidate& candidate : candidates) {
-        if (bytes() + 2 * bytes_per_node < D >> settings.memory_bytes) break;
+        if (bytes() + 2 * bytes_per_node() > settings.memory_bytes) break;
         split(candidate.node, candidate.axis, candidate.position, photons);
     }
 }

@@ -47,10 +47,11 @@ struct Cell {
 template <int D>
 class BinTree {
   public:
-    using Layout = RecordLayout<D>;
     using Point = std::array<std::uint32_t, D>;
 
-    BinTree(std::vector<Outline> outlines, const BinSettings& settings);
+    BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout, const BinSettings& settings);
+
+    const RecordLayout<D>& layout() const { return layout_; }
 
     /// The leaf of a chart under fixed-point coordinates.
     std::uint32_t locate(std::uint32_t chart, const Point& point) const {
@@ -65,7 +66,11 @@ class BinTree {
     std::uint32_t chart_count() const { return static_cast<std::uint32_t>(outlines_.size()); }
     const TreeNode& node(std::uint32_t index) const { return nodes_[index]; }
     const Cell<D>& cell(std::uint32_t index) const { return cells_[index]; }
-    const CellSums<D>& sums(std::uint32_t index) const { return sums_[index]; }
+    CellSums sums(std::uint32_t index) const {
+        const auto estimate = static_cast<std::size_t>(layout_.estimate_size());
+        const auto test = static_cast<std::size_t>(layout_.test_size());
+        return {{&estimate_sums_[index * estimate], estimate}, {&test_sums_[index * test], test}};
+    }
     const Outline& outline(std::uint32_t chart) const { return outlines_[chart]; }
 
     /// Adds a tally to the sums of the leaves and leaves it at zero.
@@ -85,10 +90,14 @@ class BinTree {
     void cut(std::uint32_t index, int axis, std::uint32_t position, std::uint32_t begin, std::uint32_t end);
     void split_evenly(std::uint32_t index, int levels, const glm::dvec2& size);
 
+    void add_node(const TreeNode& node, Cell<D>&& cell);
+    std::size_t bytes_per_node() const;
+
     std::vector<Outline> outlines_;
-    std::vector<TreeNode> nodes_;    // the roots first, one a chart
-    std::vector<Cell<D>> cells_;     // beside nodes_
-    std::vector<CellSums<D>> sums_;  // beside nodes_
+    RecordLayout<D> layout_;
+    std::vector<TreeNode> nodes_;                  // the roots first, one a chart
+    std::vector<Cell<D>> cells_;                   // beside nodes_
+    std::vector<Wide> estimate_sums_, test_sums_;  // beside nodes_, a record each
     std::vector<LeafFrame<D>> frames_;
     std::vector<std::uint32_t> node_of_leaf_;
 };

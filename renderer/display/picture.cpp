@@ -96,6 +96,11 @@ void Picture::look(const Camera& camera, int width, int height) {
     camera_ = camera;
 }
 
+void Picture::set_polarization(bool on) {
+    if (on != polarization_) draws_ = 0;
+    polarization_ = on;
+}
+
 void Picture::draw(int count) {
     BREWSTER_CHECK(drawn_.width() > 0, "look first");
     for (int i = 0; i < count; ++i) draw_once();
@@ -110,6 +115,7 @@ void Picture::draw_once() {
         const float far_distance = 1.01f * (glm::length(camera_.position) + scene_.radius());
         chart_program_.set("view_projection",
                            view_projection(camera_, drawn_.width(), drawn_.height(), offset.x, offset.y, far_distance));
+        chart_program_.set("shown_world", upload_.world_offsets(polarization_ ? 0 : 1));
         upload_.bind(chart_program_, 0);
         materials_.bind(chart_program_, "chart_materials", 3);
         mesh_.draw();

@@ -39,6 +39,11 @@ class Picture {
     /// From where and how large; another camera or size forgets the draws so far.
     void look(const Camera& camera, int width, int height);
 
+    /// Which world is drawn: light as it is, or as if no surface could tell polarizations apart. A change forgets the
+    /// draws so far.
+    void set_polarization(bool on);
+    bool polarization() const { return polarization_; }
+
     /// Adds draws to the mean. The first looks through the pixels' centres, but 1/128 to the upper left, the next all
     /// over the pixels; 64, or a multiple, see edges best.
     void draw(int count = 1);
@@ -69,6 +74,7 @@ class Picture {
     RenderTarget drawn_, sums_;
     Camera camera_;
     int draws_ = 0;
+    bool polarization_ = true;
 };
 
 }  // namespace brewster

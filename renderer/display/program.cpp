@@ -90,6 +90,11 @@ void Program::set(const std::string& uniform, glm::vec2 value) const {
     glUniform2f(location(uniform), value.x, value.y);
 }
 
+void Program::set(const std::string& uniform, glm::uvec2 value) const {
+    use();
+    glUniform2ui(location(uniform), value.x, value.y);
+}
+
 void Program::set(const std::string& uniform, const glm::mat4& value) const {
     use();
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));

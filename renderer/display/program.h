@@ -20,6 +20,7 @@ class Program {
     void set(const std::string& uniform, int value) const;
     void set(const std::string& uniform, float value) const;
     void set(const std::string& uniform, glm::vec2 value) const;
+    void set(const std::string& uniform, glm::uvec2 value) const;
     void set(const std::string& uniform, const glm::mat4& value) const;
 
   private:

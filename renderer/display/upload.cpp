@@ -52,6 +52,10 @@ bool BinUpload::advance(std::size_t bytes) {
     return true;
 }
 
+glm::uvec2 BinUpload::world_offsets(int world) const {
+    return drawn_ ? glm::uvec2(drawn_->direct_offset(world), drawn_->indirect_offset(world)) : glm::uvec2(0u);
+}
+
 void BinUpload::bind(const Program& program, int first_unit) const {
     const Side& side = sides_[drawn_side_];
     side.nodes.bind(program, "bin_nodes", first_unit);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <memory>
 
 #include "bins/snapshot.h"
@@ -22,6 +23,9 @@ class BinUpload {
 
     bool complete() const { return !arriving_ && !waiting_; }
     const Snapshot* drawn() const { return drawn_.get(); }  ///< null before the first
+
+    /// Offsets of a world (0 polarized, 1 unpolarized) in the drawn leaves of direct and indirect light.
+    glm::uvec2 world_offsets(int world) const;
 
     /// Binds the drawn bins to texture units `first_unit` .. `first_unit` + 2, under the names of shaders/bins.glsl.
     void bind(const Program& program, int first_unit) const;

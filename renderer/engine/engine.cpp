@@ -57,6 +57,7 @@ struct Engine::Impl {
     const EngineSettings settings;
     const Rays rays;
     const PhotonEmission emission;
+    const EntryFields fields;
     BinTree<2> tree;
     const ScalarTransport transport;
 
@@ -70,7 +71,7 @@ struct Engine::Impl {
     unsigned busy = 0;                       // workers inside a block
     std::uint64_t hand_over = 0;             // a growing wish: hand over what you have
     std::vector<std::uint64_t> handed_over;  // per worker: the wish it has met
-    WorkerSums sums;                         // of the running batch (bins) and of all (ledger, counts)
+    WorkerSums sums{fields};                 // of the running batch (bins) and of all (ledger, counts)
     std::vector<std::uint64_t> photons_by_thread;
     StopRule rule;
     bool run = false;  // the user wants photons
@@ -95,7 +96,7 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
       settings(settings_in),
       rays(*scene),
       emission(*scene, settings.seed),
-      tree(outlines_of(*scene), settings.bins),
+      tree(outlines_of(*scene), fields.layout(), settings.bins),
       transport(*scene, rays, emission, tree, settings.seed) {
     if (!emission.any()) {
         throw Error("no lamp gives light", scene->name,
@@ -132,7 +133,7 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 
 void Engine::Impl::work(unsigned index) {
     if (settings.lowest_priority) yield_to_everybody();
-    WorkerSums own;
+    WorkerSums own(fields);
     std::unique_lock lock(mutex);
     while (!quit) {
         std::uint64_t begin = 0, end = 0;
@@ -193,8 +194,8 @@ void Engine::Impl::publish_now(std::unique_lock<std::mutex>& lock) {
     const bool between_batches = photons == batch.begin();
     const Tally<2> pending = between_batches ? Tally<2>() : sums.bins;
     lock.unlock();
-    auto snapshot = std::make_shared<Snapshot>(
-        publish(tree, between_batches ? nullptr : &pending, photons, emission.mean_power(), settings.bins));
+    auto snapshot = std::make_shared<Snapshot>(publish(tree, fields, between_batches ? nullptr : &pending, photons,
+                                                       glm::dvec3(emission.mean_power()), settings.bins));
     lock.lock();
     snapshot->version = ++version;
     newest = std::move(snapshot);
@@ -351,7 +352,7 @@ std::string Engine::digest() const {
     };
     for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
         digest.add(std::uint64_t{tree.node(node).split} << 32 | tree.node(node).word);
-        const CellSums<2>& sums = tree.sums(node);
+        const CellSums sums = tree.sums(node);
         const bool leaf = tree.node(node).is_leaf();
         const Quanta* estimate = leaf ? pending.estimate(tree.node(node).leaf()) : nullptr;
         const Quanta* test = leaf ? pending.test(tree.node(node).leaf()) : nullptr;

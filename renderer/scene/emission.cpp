@@ -52,17 +52,18 @@ Emission LampSampler::emit(std::uint32_t index, const std::array<float, 4>& x) c
             const Triangle& triangle = scene_.triangles[chart.first_triangle + k];
             const auto [b1, b2] = fold((x[0] - before) / (shares[k] - before), x[1]);
             return {scene_.point_inside(triangle, b1, b2),
-                    sample_cosine(chart.axis_u, chart.axis_v, chart.normal, x[2], x[3]), chart.surface};
+                    sample_cosine(chart.axis_u, chart.axis_v, chart.normal, x[2], x[3]),
+                    chart.first_triangle + static_cast<std::uint32_t>(k)};
         }
         case LampKind::sun: {
             const SunRectangle& sun = suns_[index];
             return {sun.centre + (2.0f * x[0] - 1.0f) * sun.half_u + (2.0f * x[1] - 1.0f) * sun.half_v, lamp.direction,
-                    no_surface};
+                    no_triangle};
         }
         case LampKind::point:
-            return {lamp.position, sample_sphere(x[2], x[3]), no_surface};
+            return {lamp.position, sample_sphere(x[2], x[3]), no_triangle};
         case LampKind::spot:
-            return {lamp.position, sample_spot(lamp, x[2], x[3]), no_surface};
+            return {lamp.position, sample_spot(lamp, x[2], x[3]), no_triangle};
     }
     return {};
 }

@@ -11,7 +11,7 @@ namespace brewster {
 /// A photon as it leaves its lamp: it carries the lamp's power over the number of photons, whatever the numbers were.
 struct Emission {
     glm::vec3 position{0.0f}, direction{0.0f};
-    std::uint32_t leaving = no_surface;  ///< the surface of an area lamp
+    std::uint32_t leaving = no_triangle;  ///< the triangle of an area lamp
 };
 
 /// Photon starts of the lamps of a scene, which it refers to. Constant, so any number of threads may ask.

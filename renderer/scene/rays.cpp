@@ -69,7 +69,7 @@ struct Rays::Impl {
         : scene(whole), stands(stands_of_surfaces(whole)), tree(whole, planes_of_triangles(whole, stands)) {}
 
     std::uint32_t plane_left(const Ray& ray) const {
-        return ray.leaving == no_surface ? no_plane : stands[ray.leaving].plane;
+        return ray.leaving == no_triangle ? no_plane : plane_of(ray.leaving);
     }
 
     // From the first answer to the hit; where that is nothing or a back, by a closer look.
@@ -91,10 +91,10 @@ struct Rays::Impl {
         constexpr std::size_t few_triangles = 4096;
         Ray clear = ray, beside = ray;
         bool grazes = false;
-        if (ray.leaving == no_surface) {
+        if (ray.leaving == no_triangle) {
             beside.origin += 1e-4f * scene.radius() * glm::vec3(ray.direction.y, ray.direction.z, ray.direction.x);
         } else {
-            const Stand& stand = stands[ray.leaving];
+            const Stand& stand = stands[scene.triangles[ray.leaving].surface];
             const float cosine = glm::dot(stand.normal, ray.direction);
             const glm::vec3 up = cosine < 0.0f ? -stand.normal : stand.normal;
             grazes = std::abs(cosine) < grazing;

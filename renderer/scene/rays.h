@@ -11,14 +11,14 @@ namespace brewster {
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f, 0.0f, 1.0f};  ///< unit
-    std::uint32_t leaving = no_surface;     ///< the surface the ray starts on; nothing in its plane can be hit
+    std::uint32_t leaving = no_triangle;    ///< the triangle the ray starts on (Hit::triangle); its plane cannot be hit
 };
 
 /// Where a ray meets the scene first. `position` lies on the triangle's plane, pulled inside its edges by 1e-6 of the
 /// chart's size, so that no next ray starts outside.
 struct Hit {
-    std::uint32_t triangle = no_chart;  ///< no_chart: the ray left the scene
-    std::uint32_t chart = no_chart;     ///< of the side that was hit; no_chart on a back that absorbs
+    std::uint32_t triangle = no_triangle;  ///< no_triangle: the ray left the scene
+    std::uint32_t chart = no_chart;        ///< of the side that was hit; no_chart on a back that absorbs
     float distance = 0;
     glm::vec3 position{0.0f};
     std::uint32_t u = 0, v = 0;      ///< fixed-point chart coordinates, 24 bits
@@ -26,7 +26,7 @@ struct Hit {
     glm::vec3 normal{0.0f};          ///< of the triangle, unit, on the side that was hit
     glm::vec3 shading_normal{0.0f};  ///< interpolated from the corners, unit, on the same side; flat meshes: `normal`
 
-    bool escaped() const { return triangle == no_chart; }
+    bool escaped() const { return triangle == no_triangle; }
 };
 
 /// Answers rays against a constant scene; any number of threads may ask at once. The answers do not depend on how rays

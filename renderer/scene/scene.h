@@ -15,6 +15,7 @@
 namespace brewster {
 
 inline constexpr std::uint32_t no_chart = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();
 inline constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
 
 /// A triangle and the charts of its two sides. The front is where the vertices run counter-clockwise.

@@ -66,7 +66,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
             return;
         }
         if (bounce == 0) ++sums.counts.useful;
-        deposit(tree_, sums.bins, hit, weight, bounce == 0, replica);
+        deposit(tree_, {}, sums.bins, hit, std::span(&weight.x, 3), bounce == 0, replica);
 
         const Chart& chart = scene_.charts[hit.chart];
         const glm::vec3 reflected = weight * nearest_lambert(scene_.materials[chart.material]);
@@ -96,7 +96,7 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
         const float xi_turn = first ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
         ray.origin = hit.position;
         ray.direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, xi_radius, xi_turn);
-        ray.leaving = chart.surface;
+        ray.leaving = hit.triangle;
     }
     book(sums.ledger.cut, weight);
 }

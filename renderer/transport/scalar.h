@@ -22,6 +22,8 @@ struct TransportCounts {
 
 /// Everything one worker tallies.
 struct WorkerSums {
+    explicit WorkerSums(const EntryFields& fields = {}) : bins(fields.layout()) {}
+
     Tally<2> bins;
     Ledger ledger;
     TransportCounts counts;

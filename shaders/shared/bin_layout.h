@@ -6,6 +6,7 @@
 // Leaf, four texels of four floats: the values at the corners (u,v) = (0,0), (1,0), (0,1), (1,1), each red, green,
 // blue; the fourth floats of the first three texels hold the standard error of red, green, blue, the last is zero.
 // Between the corners the value is bilinear. Values are entered flux per area: irradiance, in lux.
+// Where the polarized and the unpolarized world differ, the leaf of the unpolarized one stands behind the node's.
 //
 // Chart, two words: root node of the direct light, root node of the indirect light.
 

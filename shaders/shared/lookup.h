@@ -13,8 +13,9 @@ BREWSTER_FUNCTION uint fixed_point_of(float unit) {
     return uint(min(scaled, 16777215.0f));
 }
 
-// The value of the leaf under (u, v) in the tree that begins at node `root`.
-BREWSTER_FUNCTION BinValue look_up(BREWSTER_BINS_PARAMETER uint root, uint u, uint v) {
+// The value of the leaf under (u, v) in the tree that begins at node `root`; `world`: how many leaves behind the node's
+// the wanted world stands.
+BREWSTER_FUNCTION BinValue look_up(BREWSTER_BINS_PARAMETER uint root, uint world, uint u, uint v) {
     uint low_u = 0u, low_v = 0u;
     uint high_u = BREWSTER_UV_ONE, high_v = BREWSTER_UV_ONE;
     uvec2 node = fetch_node(BREWSTER_BINS root);
@@ -37,7 +38,7 @@ BREWSTER_FUNCTION BinValue look_up(BREWSTER_BINS_PARAMETER uint root, uint u, ui
         }
         node = fetch_node(BREWSTER_BINS child);
     }
-    uint first = (node.y & ~BREWSTER_NODE_LEAF) * BREWSTER_LEAF_TEXELS;
+    uint first = ((node.y & ~BREWSTER_NODE_LEAF) + world) * BREWSTER_LEAF_TEXELS;
     vec4 low_low = fetch_leaf_texel(BREWSTER_BINS first);
     vec4 high_low = fetch_leaf_texel(BREWSTER_BINS first + 1u);
     vec4 low_high = fetch_leaf_texel(BREWSTER_BINS first + 2u);

@@ -33,7 +33,7 @@ std::vector<Hit> primary_hits(const Scene& scene, const Camera& camera) {
             for (int k = 0; k < draws; ++k) {
                 const float px = static_cast<float>(x) + (static_cast<float>(k % 4) + 0.5f) / 4;
                 const float py = static_cast<float>(y) + (static_cast<float>(k / 4) + 0.5f) / 4;
-                questions.push_back({camera.position, ray_direction(camera, size, size, px, py), no_surface});
+                questions.push_back({camera.position, ray_direction(camera, size, size, px, py), no_triangle});
             }
         }
     }
@@ -42,7 +42,7 @@ std::vector<Hit> primary_hits(const Scene& scene, const Camera& camera) {
     // One looks into the room from outside through the backs of its walls.
     for (std::size_t i = 0; i < hits.size(); ++i) {
         while (!hits[i].escaped() && hits[i].chart == no_chart) {
-            questions[i].leaving = scene.triangles[hits[i].triangle].surface;
+            questions[i].leaving = hits[i].triangle;
             questions[i].origin = hits[i].position;
             rays.intersect({&questions[i], 1}, {&hits[i], 1});
         }
@@ -58,9 +58,10 @@ Image indirect_picture(const Scene& scene, const std::vector<Hit>& hits, const S
         if (hits[i].chart == no_chart) continue;
         const Chart& chart = scene.charts[hits[i].chart];
         const lookup::BinValue found =
-            lookup::look_up(bins, bins.charts[hits[i].chart].indirect_root, hits[i].u, hits[i].v);
+            lookup::look_up(bins, bins.charts[hits[i].chart].indirect_root, 0u, hits[i].u, hits[i].v);
         for (int band = 0; band < band_count; ++band) {
-            const float factor = nearest_lambert(scene.materials[chart.material])[band] / static_cast<float>(pi) / draws;
+            const float factor =
+                nearest_lambert(scene.materials[chart.material])[band] / static_cast<float>(pi) / draws;
             image.channel(stokes_channel(0, band))[i / draws] += factor * found.value[band];
         }
     }

@@ -6,8 +6,8 @@
 #include <functional>
 #include <random>
 
-#include "bins/file_event.h"
 #include "bins/lookup.h"
+#include "filing.h"
 #include "shapes.h"
 
 namespace brewster {
@@ -19,7 +19,7 @@ class Thrower {
     using Density = std::function<float(double u, double v)>;
 
     Thrower(const Outline& outline, const BinSettings& settings, unsigned seed)
-        : settings_(settings), tree_({outline}, settings), outline_(outline), random_(seed) {}
+        : settings_(settings), tree_({outline}, {}, settings), outline_(outline), random_(seed) {}
 
     void throw_photons(std::uint64_t count, const Density& density) {
         tally_.resize(tree_.leaf_count());
@@ -29,7 +29,7 @@ class Thrower {
             if (!inside(u, v)) continue;
             const BinTree<2>::Point point = {lookup::fixed_point_of(static_cast<float>(u)),
                                              lookup::fixed_point_of(static_cast<float>(v))};
-            file_event<2>(tree_, tally_, tree_.locate(0, point), point, glm::vec3(density(u, v)), true,
+            file_light<2>(tree_, tally_, tree_.locate(0, point), point, glm::vec3(density(u, v)), true,
                           static_cast<std::uint32_t>((photons_ + i) % replica_count));
         }
         photons_ += count;
@@ -39,7 +39,7 @@ class Thrower {
 
     // The density is published as itself: one unit of weight a photon on a rectangle of this area.
     Snapshot snapshot() const {
-        return publish(tree_, nullptr, photons_, outline_.size.x * outline_.size.y, settings_);
+        return publish(tree_, {}, nullptr, photons_, glm::dvec3(outline_.size.x * outline_.size.y), settings_);
     }
     const BinTree<2>& tree() const { return tree_; }
     bool inside(double u, double v) const {
@@ -64,7 +64,7 @@ class Thrower {
 };
 
 float value_at(const Snapshot& snapshot, double u, double v) {
-    return lookup::look_up(snapshot, snapshot.charts[0].direct_root, lookup::fixed_point_of(static_cast<float>(u)),
+    return lookup::look_up(snapshot, snapshot.charts[0].direct_root, 0u, lookup::fixed_point_of(static_cast<float>(u)),
                            lookup::fixed_point_of(static_cast<float>(v)))
         .value.y;
 }
@@ -89,7 +89,7 @@ double relative_rmse(const Snapshot& snapshot, const Thrower& thrower, const Thr
 TEST(Publish, ConstantRadianceIsOneExactLeafOnAnyShape) {
     for (const Outline& outline :
          {shapes::right_triangle(), shapes::l_shape(), shapes::annulus(), shapes::wall_with_window()}) {
-        BinTree<2> tree({outline}, BinSettings{});
+        BinTree<2> tree({outline}, {}, BinSettings{});
         Tally<2> tally;
         tally.resize(tree.leaf_count());
         const double whole = tree.cell(0).geometry.area;
@@ -106,7 +106,7 @@ TEST(Publish, ConstantRadianceIsOneExactLeafOnAnyShape) {
             }
         }
         tree.absorb(tally);
-        const Snapshot snapshot = publish(tree, nullptr, 1000, 2.5 * whole, BinSettings{});
+        const Snapshot snapshot = publish(tree, {}, nullptr, 1000, glm::dvec3(2.5 * whole), BinSettings{});
         EXPECT_EQ(snapshot.charts[0].direct_leaves, 1u);
         EXPECT_EQ(snapshot.charts[0].indirect_leaves, 1u);
         for (const double u : {0.02, 0.31, 0.5, 0.77})
@@ -128,7 +128,7 @@ TEST(Publish, EvenPhotonsAreOneLeafWithAnHonestError) {
         const Snapshot snapshot = thrower.snapshot();
         leaves += snapshot.charts[0].direct_leaves;
         const auto middle =
-            lookup::look_up(snapshot, snapshot.charts[0].direct_root, BREWSTER_UV_ONE / 2, BREWSTER_UV_ONE / 2);
+            lookup::look_up(snapshot, snapshot.charts[0].direct_root, 0u, BREWSTER_UV_ONE / 2, BREWSTER_UV_ONE / 2);
         squares += std::pow(middle.value.x - 0.5, 2);
         reported += middle.standard_error.x * middle.standard_error.x;
     }
@@ -217,6 +217,43 @@ TEST(Publish, KeepsTheFlux) {
     for (std::uint32_t node = 0; node < thrower.tree().node_count(); ++node)
         total += thrower.tree().sums(node).estimate[0];
     EXPECT_NEAR(mean, to_weight(total) / static_cast<double>(snapshot.photons), 0.004 * mean);
+}
+
+// Light that the polarized world sees as a ramp and the unpolarized one as its mirror image, three times as bright:
+// both stand behind each other in the same leaves.
+TEST(Publish, WorldsStandBehindEachOtherInTheSameLeaves) {
+    const EntryFields fields{band_count, 1, 2};
+    BinSettings settings;
+    BinTree<2> tree({shapes::rectangle(1, 1)}, fields.layout(), settings);
+    Tally<2> tally(fields.layout());
+    tally.resize(tree.leaf_count());
+    std::mt19937 random(5);
+    constexpr std::uint32_t photons = 200000;
+    for (std::uint32_t i = 0; i < photons; ++i) {
+        const BinTree<2>::Point point = {static_cast<std::uint32_t>(random() % BREWSTER_UV_ONE),
+                                         static_cast<std::uint32_t>(random() % BREWSTER_UV_ONE)};
+        const float u = static_cast<float>(point[0]) / BREWSTER_UV_ONE;
+        const std::array<float, 6> indirect = {u, u, u, 3 - 3 * u, 3 - 3 * u, 3 - 3 * u};
+        const std::array<float, 3> direct = {0.5f, 0.5f, 0.5f};
+        const std::uint32_t leaf = tree.locate(0, point);
+        file_event<2>(tree, tally, leaf, point, {fields.field(1, 0), 0, indirect, i % 8});
+        file_event<2>(tree, tally, leaf, point, {fields.field(0, 0), 0, direct, i % 8});
+    }
+    tree.absorb(tally);
+    const Snapshot snapshot = publish(tree, fields, nullptr, photons, glm::dvec3(1, 2, 4), settings);
+    EXPECT_EQ(snapshot.direct_offset(1), 0u);
+    EXPECT_EQ(snapshot.indirect_offset(1), 1u);
+    const auto at = [&](float u, int world) {
+        return lookup::look_up(snapshot, snapshot.charts[0].indirect_root, snapshot.indirect_offset(world),
+                               lookup::fixed_point_of(u), BREWSTER_UV_ONE / 2)
+            .value;
+    };
+    for (const float u : {0.1f, 0.5f, 0.9f}) {
+        // A linear fit of n photons of weight w: error at the ends below 2 w / sqrt(n) = 0.5 % of 1; five of them.
+        EXPECT_NEAR(at(u, 0).x, u, 0.025f);
+        EXPECT_NEAR(at(u, 1).x, 3 - 3 * u, 0.075f);
+        EXPECT_NEAR(at(u, 0).z / at(u, 0).x, 4.0f, 1e-4f);  // one colour: flux per weight says which
+    }
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class Lookup : public GlTest {
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const std::uint32_t u = lookup::fixed_point_of(points_[i].x), v = lookup::fixed_point_of(points_[i].y);
             const std::uint32_t root = bins_->charts[static_cast<std::size_t>(points_[i].z)].direct_root;
-            const lookup::BinValue expected = lookup::look_up(*bins_, root, u, v);
+            const lookup::BinValue expected = lookup::look_up(*bins_, root, 0u, u, v);
             ASSERT_EQ(answers.place[4 * i], static_cast<float>(u)) << "point " << i;
             ASSERT_EQ(answers.place[4 * i + 1], static_cast<float>(v)) << "point " << i;
             for (int band = 0; band < 3; ++band) {
@@ -107,7 +107,7 @@ TEST_F(Lookup, DifferenceIsNoticed) {
     for (glm::vec4& texel : changed->leaves) texel *= 1.00003f;
     bins_ = changed;
     const std::uint32_t u = lookup::fixed_point_of(points_[4].x), v = lookup::fixed_point_of(points_[4].y);
-    const float expected = lookup::look_up(*bins_, bins_->charts[4].direct_root, u, v).value.x;
+    const float expected = lookup::look_up(*bins_, bins_->charts[4].direct_root, 0u, u, v).value.x;
     EXPECT_GT(std::abs(answers.value[16] - expected), 1e-5f * expected);
 }
 

@@ -142,8 +142,8 @@ TEST_F(PictureTest, CoordinatesFollowThePerspective) {
             }
             ++on_floor;
             const std::uint32_t u = lookup::fixed_point_of(unit.x), v = lookup::fixed_point_of(unit.y);
-            const float irradiance = lookup::look_up(*bins, floor_bins.direct_root, u, v).value.x +
-                                     lookup::look_up(*bins, floor_bins.indirect_root, u, v).value.x;
+            const float irradiance = lookup::look_up(*bins, floor_bins.direct_root, 0u, u, v).value.x +
+                                     lookup::look_up(*bins, floor_bins.indirect_root, 0u, u, v).value.x;
             const float expected = 0.8f / pi_f * irradiance;
             const float shown = image.channel("S0.R")[static_cast<std::size_t>(width * y + x)];
             wrong += std::abs(shown - expected) > 2e-4f * expected;

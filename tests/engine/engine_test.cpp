@@ -178,8 +178,8 @@ TEST(Engine, FurnaceCellsDeviateAsTheirErrorBarsSay) {
         for (std::uint32_t i = 0; i < 256; ++i) {
             const std::uint32_t step = BREWSTER_UV_ONE / 16, u = (i % 16) * step + step / 2,
                                 v = (i / 16) * step + step / 2;
-            const auto direct = lookup::look_up(*bins, bins->charts[chart].direct_root, u, v);
-            const auto indirect = lookup::look_up(*bins, bins->charts[chart].indirect_root, u, v);
+            const auto direct = lookup::look_up(*bins, bins->charts[chart].direct_root, 0u, u, v);
+            const auto indirect = lookup::look_up(*bins, bins->charts[chart].indirect_root, 0u, u, v);
             // The middle of a linear cell is its mean; reported is the point-wise error, sqrt(3) of the mean's.
             const double error = std::hypot(direct.standard_error.x, indirect.standard_error.x) / std::sqrt(3.0);
             const double value = static_cast<double>(direct.value.x + indirect.value.x);

@@ -39,7 +39,7 @@ struct Light {
 Light light_at(const Snapshot& bins, std::uint32_t chart, std::uint32_t u, std::uint32_t v) {
     Light light;
     for (const std::uint32_t root : {bins.charts[chart].direct_root, bins.charts[chart].indirect_root}) {
-        const lookup::BinValue found = lookup::look_up(bins, root, u, v);
+        const lookup::BinValue found = lookup::look_up(bins, root, 0u, u, v);
         const auto mean = [](const glm::vec3& bands) { return static_cast<double>(bands.x + bands.y + bands.z) / 3; };
         light.value += mean(found.value);
         light.variance += std::pow(mean(found.standard_error), 2);

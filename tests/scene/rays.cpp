@@ -53,7 +53,7 @@ Leaks bounce(const Scene& scene, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto words = philox(17, i, 0, 0);
         const float x = unit_float(words[0]), y = unit_float(words[1]), z = unit_float(words[2]);
-        if (start) ray = {{0.03f, 0.02f, 0.01f}, sample_sphere(x, y), no_surface};
+        if (start) ray = {{0.03f, 0.02f, 0.01f}, sample_sphere(x, y), no_triangle};
         const Hit hit = hit_of(rays, ray);
         ++leaks.rays;
         leaks.escaped += hit.escaped();
@@ -69,7 +69,7 @@ Leaks bounce(const Scene& scene, std::uint64_t count) {
             const glm::vec3 corner = glm::normalize(scene.vertices[words[3] / 4 % 8] - hit.position);
             if (glm::dot(corner, chart.normal) > 2e-4f) direction = corner;
         }
-        ray = {hit.position, direction, chart.surface};
+        ray = {hit.position, direction, hit.triangle};
     }
     return leaks;
 }
@@ -165,7 +165,7 @@ TEST(Rays, GapsOfTJunctionsAreClosed) {
         const glm::vec3 a = scene.vertices[triangle.vertices[words[1] % 3]];
         const glm::vec3 b = scene.vertices[triangle.vertices[(words[1] + 1) % 3]];
         const glm::vec3 origin(0.01f, 0.02f, 0.03f);
-        const Ray ray{origin, glm::normalize(a + unit_float(words[2]) * (b - a) - origin), no_surface};
+        const Ray ray{origin, glm::normalize(a + unit_float(words[2]) * (b - a) - origin), no_triangle};
         const auto all = [](std::uint32_t) { return true; };
         through += !nearest_exact(strict, ray.origin, ray.direction, all).met();
         const Hit hit = hit_of(rays, ray);
@@ -181,10 +181,10 @@ TEST(Rays, FreeEdgesEndWithinMillionths) {
     square.add_polygon("square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
     const Scene scene = scene_of(square);
     const Rays rays(scene);
-    const Hit inside = hit_of(rays, {{0.5f - 1e-6f, 0.1f, 1}, {0, 0, -1}, no_surface});
+    const Hit inside = hit_of(rays, {{0.5f - 1e-6f, 0.1f, 1}, {0, 0, -1}, no_triangle});
     EXPECT_EQ(inside.chart, 0u);
     EXPECT_LT(inside.position.x, 0.5f - 0.5e-6f);  // pulled in
-    EXPECT_TRUE(hit_of(rays, {{0.5f + 5e-6f, 0.1f, 1}, {0, 0, -1}, no_surface}).escaped());
+    EXPECT_TRUE(hit_of(rays, {{0.5f + 5e-6f, 0.1f, 1}, {0, 0, -1}, no_triangle}).escaped());
 }
 
 // One ray alone, in any group of up to 40, in any company: the same bits.
@@ -204,7 +204,7 @@ TEST(Rays, AnswersDoNotDependOnGrouping) {
             ray.origin = scene.point_inside(scene.triangles[t], 0.3f, 0.3f);
             ray.direction =
                 sample_cosine(chart.axis_u, chart.axis_v, chart.normal, unit_float(words[0]), unit_float(words[1]));
-            ray.leaving = chart.surface;
+            ray.leaving = t;
         }
         queries.push_back(ray);
     }
@@ -237,7 +237,7 @@ TEST(Rays, FindTheNearestTriangle) {
     for (std::uint64_t i = 0; i < 20000; ++i) {
         const auto words = philox(9, i, 0, 0);
         const glm::vec3 direction = sample_sphere(unit_float(words[0]), unit_float(words[1]));
-        const Ray ray{0.2f * sample_sphere(unit_float(words[2]), unit_float(words[3])), direction, no_surface};
+        const Ray ray{0.2f * sample_sphere(unit_float(words[2]), unit_float(words[3])), direction, no_triangle};
         const Hit hit = hit_of(rays, ray);
         double nearest = INFINITY, border = 1;
         std::uint32_t expected = no_chart;
@@ -276,13 +276,13 @@ TEST(Rays, BacksOfSingleSidedSurfacesAbsorb) {
     file.add_polygon("square", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
     const Scene scene = scene_of(file);
     const Rays rays(scene);
-    const Hit front = hit_of(rays, {{0.1f, 0.2f, 1}, {0, 0, -1}, no_surface});
+    const Hit front = hit_of(rays, {{0.1f, 0.2f, 1}, {0, 0, -1}, no_triangle});
     EXPECT_EQ(front.chart, 0u);
     EXPECT_FLOAT_EQ(front.distance, 1);
-    const Hit back = hit_of(rays, {{0.1f, 0.2f, -1}, {0, 0, 1}, no_surface});
+    const Hit back = hit_of(rays, {{0.1f, 0.2f, -1}, {0, 0, 1}, no_triangle});
     EXPECT_FALSE(back.escaped());
     EXPECT_EQ(back.chart, no_chart);
-    EXPECT_TRUE(hit_of(rays, {{0, 0, 1}, {0, 0, 1}, no_surface}).escaped());
+    EXPECT_TRUE(hit_of(rays, {{0, 0, 1}, {0, 0, 1}, no_triangle}).escaped());
 }
 
 // A rug that lies exactly in the floor: light from the rug meets neither, whatever rounding says.
@@ -301,7 +301,7 @@ TEST(Rays, NothingInThePlaneThatIsLeftIsMet) {
         const auto words = philox(4, i, 0, 0);
         const Ray ray{scene.point_inside(scene.triangles[rug.first_triangle], 0.4f * unit_float(words[0]), 0.4f),
                       sample_cosine(rug.axis_u, rug.axis_v, rug.normal, unit_float(words[1]), unit_float(words[2])),
-                      rug.surface};
+                      rug.first_triangle};
         const Hit hit = hit_of(rays, ray);
         ASSERT_TRUE(hit.escaped() || hit.chart == scene.charts_of("sheet")[0]);
     }

@@ -16,7 +16,7 @@ struct Bench {
         : scene(scene_in),
           rays(scene),
           emission(scene, seed),
-          tree(outlines(scene), one_cell()),
+          tree(outlines(scene), {}, one_cell()),
           transport(scene, rays, emission, tree, seed) {
         sums.bins.resize(tree.leaf_count());
     }
@@ -89,7 +89,7 @@ TEST(ScalarTransport, APhotonDependsOnItsIndexAlone) {
     for (std::uint64_t photon = 500; photon-- > 0;) backward.transport.trace(photon, backward.sums);
     for (std::uint32_t leaf = 0; leaf < forward.sums.bins.leaves(); ++leaf) {
         EXPECT_EQ(0, std::memcmp(forward.sums.bins.estimate(leaf), backward.sums.bins.estimate(leaf),
-                                 sizeof(Quanta) * RecordLayout<2>::estimate_size));
+                                 sizeof(Quanta) * static_cast<std::size_t>(RecordLayout<2>{}.estimate_size())));
     }
     EXPECT_EQ(forward.sums.counts.bounces, backward.sums.counts.bounces);
 }
