@@ -25,7 +25,7 @@ struct EyePath {
     EyeChain<components> chain;
     EyePathClass path_class;
     Vector<double> origin, direction, axis;  // of the segment under way; the axis belongs to light that comes along it
-    std::uint32_t leaving = no_surface;
+    std::uint32_t leaving = no_triangle;
     double pdf = 0;      // of the direction, 1/sr
     bool sharp = true;   // no lamp sample could have found the direction
     PixelStokes seen{};  // so far
@@ -117,7 +117,7 @@ bool go_on(EyePath<components>& path, const Vertex& vertex, const BounceNumbers&
     path.axis = sample.axis;
     path.direction = sample.direction;
     path.origin = vertex.position;
-    path.leaving = vertex.surface;
+    path.leaving = vertex.triangle;
     path.pdf = sample.pdf;
     path.sharp = sample.sharp;
     const double left = path.chain.largest();

@@ -43,7 +43,7 @@ Emission PhotonSource::start_of_sun(const Lamp& lamp, const std::array<double, 4
     power = 4 * half * half / (full * full) * static_cast<double>(sun.area) * glm::dvec3(lamp.intensity);
     const auto place = floats_of(numbers);
     return {sun.centre + (2.0f * place[0] - 1.0f) * sun.half_u + (2.0f * place[1] - 1.0f) * sun.half_v,
-            coordinates_of(direction), no_surface};
+            coordinates_of(direction), no_triangle};
 }
 
 template <int components>
@@ -82,7 +82,7 @@ std::optional<Event> scatter(Photon<components>& photon, const Vertex& vertex, c
     photon.position = vertex.position;
     photon.direction = sample.direction;
     photon.axis = sample.axis;
-    photon.leaving = vertex.surface;
+    photon.leaving = vertex.triangle;
     if (!(photon.largest() > 0)) return {};
     return sample.base ? Event::base : sample.sharp ? Event::sharp : Event::gloss;
 }

@@ -12,7 +12,7 @@ namespace brewster {
 template <int components>
 struct Photon {
     Vector<double> position{}, direction{}, axis{};
-    std::uint32_t leaving = no_surface;
+    std::uint32_t leaving = no_triangle;
     std::array<Stokes<double, components>, band_count> light{};
     std::uint32_t lamp = 0;
     double reference = 0;  ///< largest band at emission, for the roulette

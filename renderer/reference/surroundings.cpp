@@ -26,7 +26,7 @@ Surroundings::Met Surroundings::met_by(const Hit& hit) const {
     vertex.normal = normalized(vector_of(hit.normal));
     vertex.shading_normal = normalized(vector_of(hit.shading_normal));
     vertex.chart = hit.chart;
-    vertex.surface = chart.surface;
+    vertex.triangle = hit.triangle;
     vertex.inside = vertex.material->base == Base::transparent && !vertex.material->thin &&
                     hit.chart == scene.triangles[hit.triangle].back_chart;
     vertex.distance = static_cast<double>(hit.distance);
@@ -39,9 +39,10 @@ Surroundings::Met Surroundings::meet(const Vector<double>& origin, const Vector<
 }
 
 Surroundings::Met Surroundings::look(const Vector<double>& origin, const Vector<double>& direction) const {
-    Ray ray{coordinates_of(origin), coordinates_of(direction), no_surface};
+    Ray ray{coordinates_of(origin), coordinates_of(direction), no_triangle};
     double passed = 0;
-    for (;;) {
+    constexpr int most_backs = 256;  // more than that, and it is one surface met again and again by rounding
+    for (int back = 0; back < most_backs; ++back) {
         const Hit hit = first_hit(rays, ray);
         if (hit.escaped() || hit.chart != no_chart) {
             Met met = met_by(hit);
@@ -50,12 +51,13 @@ Surroundings::Met Surroundings::look(const Vector<double>& origin, const Vector<
         }
         passed += static_cast<double>(hit.distance);
         ray.origin = hit.position;
-        ray.leaving = scene.triangles[hit.triangle].surface;
+        ray.leaving = hit.triangle;
     }
+    return {};
 }
 
 bool Surroundings::reaches(const Vertex& from, const LampLight& light) const {
-    const Hit hit = first_hit(rays, {coordinates_of(from.position), coordinates_of(light.direction), from.surface});
+    const Hit hit = first_hit(rays, {coordinates_of(from.position), coordinates_of(light.direction), from.triangle});
     if (hit.escaped()) return scene.lamps[light.lamp].kind != LampKind::area;
     const auto distance = static_cast<double>(hit.distance);
     if (scene.lamps[light.lamp].kind == LampKind::area)

@@ -14,7 +14,7 @@ struct Vertex {
     const PreparedMaterial* material = nullptr;
     Vector<double> position{};
     Vector<double> normal{}, shading_normal{};  ///< unit, on the side that was hit
-    std::uint32_t chart = no_chart, surface = no_surface;
+    std::uint32_t chart = no_chart, triangle = no_triangle;
     bool inside = false;  ///< of a closed transparent body, whose skin was hit
     double distance = 0;
 };

@@ -185,8 +185,8 @@ TEST(ClosedAnswers, ParallelMirrors) {
     const auto at = dielectric_interface(std::cos(theta), 1.5);
     const double s = std::pow(at.Rs, 3), p = std::pow(at.Rp, 3);
     EXPECT_NEAR(seen.mean[0], 0.5 * (s + p), 1e-5 * s);
-    // s is the camera's x axis: the plane of incidence is upright.
-    EXPECT_NEAR(seen.mean[1] / seen.mean[0], (s - p) / (s + p), 1e-4);
+    // The plane of incidence lies level in the picture, so that s is upright there.
+    EXPECT_NEAR(seen.mean[1] / seen.mean[0], -(s - p) / (s + p), 1e-4);
 }
 
 /// A furnace of radiance 1 stays 1 and unpolarized, whatever lossless thing stands in it, polarization on or off: a
