@@ -58,6 +58,7 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
       storage_(texel_storage(largest_buffer_texture)),
       upload_(storage_),
       materials_(TexelFormat::float4, storage_),
+      textures_(scene),
       mesh_(scene),
       chart_program_("chart.vert", "chart.frag", texel_defines(storage_)),
       accumulate_program_("full_screen.vert", "accumulate.frag"),
@@ -68,6 +69,8 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
         const Material& material = scene.materials[chart.material];
         texels.emplace_back(nearest_lambert(material), 0.0f);
         texels.emplace_back(material.emission, 0.0f);
+        const bool coloured = material.base == Base::lambert || material.base == Base::polarized_diffuse;
+        texels.emplace_back(coloured ? 1.0f : 0.0f, material.alpha, material.alpha_cutoff, 0.0f);
     }
     materials_.reserve(texels.size());
     materials_.write(0, texels.size(), texels.data());
@@ -118,7 +121,10 @@ void Picture::draw_once() {
         chart_program_.set("shown_world", upload_.world_offsets(polarization_ ? 0 : 1));
         upload_.bind(chart_program_, 0);
         materials_.bind(chart_program_, "chart_materials", 3);
-        mesh_.draw();
+        for (const ChartGroup& group : mesh_.groups()) {
+            textures_.bind(chart_program_, "albedo_texture", 4, group.texture);
+            mesh_.draw(group);
+        }
     }
     sums_.bind();
     if (draws_ == 0) sums_.clear();

@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 
+#include "display/albedo_textures.h"
 #include "display/chart_mesh.h"
 #include "display/program.h"
 #include "display/render_target.h"
@@ -68,6 +69,7 @@ class Picture {
     TexelStorage storage_;
     BinUpload upload_;
     TexelArray materials_;
+    AlbedoTextures textures_;
     ChartMesh mesh_;
     Program chart_program_, accumulate_program_, screen_program_;
     VertexArray no_vertices_;

@@ -1,15 +1,15 @@
 #include "image/png.h"
 
-#include <stb_image.h>
 #include <stb_image_write.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <memory>
+#include <iterator>
 
 #include "base/check.h"
 #include "base/error.h"
+#include "image/decode.h"
 
 namespace brewster {
 namespace {
@@ -43,15 +43,14 @@ void write_png(const std::string& path, const ScreenImage& image) {
 }
 
 ScreenImage read_png(const std::string& path) {
-    ScreenImage image;
-    int channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> bytes(
-        stbi_load(path.c_str(), &image.width, &image.height, &channels, 4), stbi_image_free);
-    if (!bytes)
-        throw Error(std::string("cannot be read, ") + stbi_failure_reason(), path, "give the path of a PNG file");
-    const std::size_t count = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    image.rgba.assign(bytes.get(), bytes.get() + count);
-    return image;
+    constexpr const char* advice = "give the path of a PNG file";
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(std::string("cannot be read, ") + std::strerror(errno), path, advice);
+    const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::optional<EncodedSize> size = encoded_size(bytes);
+    std::optional<std::vector<std::uint8_t>> rgba = decode_rgba(bytes);
+    if (!size || !rgba) throw Error("cannot be read, its bytes are no picture", path, advice);
+    return {size->width, size->height, std::move(*rgba)};
 }
 
 }  // namespace brewster

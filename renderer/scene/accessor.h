@@ -9,6 +9,10 @@ namespace brewster {
 inline constexpr int gltf_byte = 5120, gltf_unsigned_byte = 5121, gltf_short = 5122, gltf_unsigned_short = 5123,
                      gltf_unsigned_int = 5125, gltf_float = 5126;
 
+/// Sampler constants (glTF 2.0, 5.26).
+inline constexpr int gltf_nearest = 9728, gltf_linear = 9729, gltf_clamp = 33071, gltf_mirror = 33648,
+                     gltf_repeat = 10497;
+
 /// Primitive modes from lists of triangles on; those below are points and lines.
 inline constexpr int gltf_triangles = 4, gltf_triangle_strip = 5, gltf_triangle_fan = 6;
 

@@ -11,15 +11,14 @@ namespace brewster {
 /// meets what the start itself was aimed at.
 std::optional<TriangleHit> exact_hit(const Scene& scene, std::uint32_t triangle, glm::vec3 origin, glm::vec3 direction);
 
-/// The nearest such triangle of all that `accept(index)` allows, one by one: for the one ray in a million that single
+/// The nearest such hit of all that `accept(hit)` allows, one by one: for the one ray in a million that single
 /// precision cannot decide.
 template <class Accept>
 TriangleHit nearest_exact(const Scene& scene, glm::vec3 origin, glm::vec3 direction, const Accept& accept) {
     TriangleHit nearest;
     for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
-        if (!accept(t)) continue;
         const auto hit = exact_hit(scene, t, origin, direction);
-        if (hit && (!nearest.met() || hit->distance < nearest.distance)) nearest = *hit;
+        if (hit && (!nearest.met() || hit->distance < nearest.distance) && accept(*hit)) nearest = *hit;
     }
     return nearest;
 }

@@ -42,6 +42,41 @@ struct GltfPrimitive {
 struct GltfMesh {
     std::string name;
     std::vector<GltfPrimitive> primitives;
+    std::vector<double> weights;  ///< of its morph targets
+};
+
+struct GltfSkin {
+    int inverse_bind_matrices = -1;
+    std::vector<int> joints;
+};
+
+struct GltfScene {
+    std::string name;
+    std::vector<int> nodes;  ///< roots
+};
+
+struct GltfImage {
+    int buffer_view = -1;
+    std::string uri;                   ///< empty where the picture is embedded
+    std::vector<unsigned char> bytes;  ///< of a file or a data URI; none: the file is missing
+};
+
+struct GltfSampler {
+    int mag_filter = -1, min_filter = -1;
+    int wrap_s = 10497, wrap_t = 10497;
+};
+
+struct GltfTexture {
+    int source = -1, sampler = -1;
+};
+
+/// Where a material names a texture, with KHR_texture_transform.
+struct GltfTextureUse {
+    int texture = -1, set = 0;
+    std::array<double, 2> offset{0, 0}, scale{1, 1};
+    double rotation = 0;  ///< radians
+
+    bool present() const { return texture >= 0; }
 };
 
 struct GltfNode {
@@ -50,6 +85,7 @@ struct GltfNode {
     std::vector<int> children;
     std::vector<double> matrix;  ///< column-major, 16 numbers or none
     std::vector<double> translation, rotation, scale;
+    std::vector<double> weights;  ///< of its mesh's morph targets; none: the mesh's
 };
 
 /// BREWSTER_surface of a material. Lengths in micrometres, angles in degrees.
@@ -74,8 +110,10 @@ struct GltfMaterial {
     bool attenuates = false;       ///< KHR_materials_volume: its attenuation is other than none
     GltfSurface surface;
     std::string alpha_mode = "OPAQUE";
+    double alpha_cutoff = 0.5;
     bool double_sided = false;
-    std::vector<std::string> textures;    ///< the properties that name one
+    GltfTextureUse base_color_texture, metallic_roughness_texture, emissive_texture;
+    bool has_normal_texture = false, has_occlusion_texture = false;
     std::vector<std::string> extensions;  ///< all of its extensions
 };
 
@@ -103,7 +141,11 @@ struct GltfFile {
     std::vector<GltfMaterial> materials;
     std::vector<GltfCamera> cameras;
     std::vector<GltfLight> lights;
-    std::vector<std::vector<int>> scenes;  ///< root nodes
+    std::vector<GltfSkin> skins;
+    std::vector<GltfImage> images;
+    std::vector<GltfSampler> samplers;
+    std::vector<GltfTexture> textures;
+    std::vector<GltfScene> scenes;
     int scene = -1;
     std::vector<std::string> extensions_used, extensions_required;
     bool has_animations = false;

@@ -6,9 +6,11 @@
 #include <tiny_gltf.h>
 #pragma GCC diagnostic pop
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <map>
 
 #include "base/error.h"
 #include "scene/gltf_text.h"
@@ -55,7 +57,12 @@ bool write_nothing(std::string*, const std::string&, const Bytes&, void*) {
     return false;
 }
 
-bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+// Keeps the bytes of pictures in files and data URIs, by index. Those in bufferViews are left alone: nobody has checked
+// yet whether the view lies in its buffer.
+bool keep_image(tinygltf::Image* image, const int index, std::string*, std::string*, int, int,
+                const unsigned char* bytes, int size, void* user) {
+    if (image->bufferView < 0)
+        (*static_cast<std::map<int, Bytes>*>(user))[index].assign(bytes, bytes + std::max(size, 0));
     return true;
 }
 
@@ -67,6 +74,13 @@ std::string one_sentence(std::string text) {
     constexpr std::size_t longest = 160;
     if (text.size() > longest) text = text.substr(0, longest) + "...";
     return text;
+}
+
+// The parser wants a property of skins that glTF 2.0 leaves out for identity, but goes on without it.
+std::string without_skin_complaints(std::string faults) {
+    constexpr std::string_view complaint = "'inverseBindMatrices' property is missing in Skin.\n";
+    for (std::size_t at; (at = faults.find(complaint)) != std::string::npos;) faults.erase(at, complaint.size());
+    return faults;
 }
 
 // The JSON chunk of a .glb file: 12 bytes of header, length, "JSON".
@@ -128,7 +142,7 @@ GltfAccessor accessor_of(const tinygltf::Accessor& from) {
 }
 
 GltfMesh mesh_of(const tinygltf::Mesh& from) {
-    GltfMesh mesh{from.name, {}};
+    GltfMesh mesh{from.name, {}, from.weights};
     for (const tinygltf::Primitive& primitive : from.primitives)
         mesh.primitives.push_back(
             {primitive.attributes, primitive.indices, primitive.material, primitive.mode, !primitive.targets.empty()});
@@ -146,6 +160,7 @@ GltfNode node_of(const tinygltf::Node& from) {
     node.translation = from.translation;
     node.rotation = from.rotation;
     node.scale = from.scale;
+    node.weights = from.weights;
     if (const tinygltf::Value* light = property(from.extensions, "KHR_lights_punctual", "light"))
         node.light = light->GetNumberAsInt();
     return node;
@@ -196,6 +211,21 @@ bool attenuates(const tinygltf::ExtensionMap& extensions) {
     return false;
 }
 
+GltfTextureUse use_of(const tinygltf::TextureInfo& from) {
+    GltfTextureUse use{from.index, from.texCoord};
+    const auto found = from.extensions.find("KHR_texture_transform");
+    if (found == from.extensions.end()) return use;
+    const auto pair = [&](const char* name, std::array<double, 2>& into) {
+        const std::vector<double> values = numbers(found->second, name);
+        if (values.size() == 2) into = {values[0], values[1]};
+    };
+    pair("offset", use.offset);
+    pair("scale", use.scale);
+    use.rotation = number(found->second, "rotation", 0);
+    use.set = static_cast<int>(number(found->second, "texCoord", use.set));
+    return use;
+}
+
 GltfMaterial material_of(const tinygltf::Material& from) {
     GltfMaterial material;
     material.name = from.name;
@@ -214,12 +244,12 @@ GltfMaterial material_of(const tinygltf::Material& from) {
     material.surface = surface_of(from.extensions);
     material.alpha_mode = from.alphaMode;
     material.double_sided = from.doubleSided;
-    if (from.pbrMetallicRoughness.baseColorTexture.index >= 0) material.textures.push_back("baseColorTexture");
-    if (from.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0)
-        material.textures.push_back("metallicRoughnessTexture");
-    if (from.normalTexture.index >= 0) material.textures.push_back("normalTexture");
-    if (from.occlusionTexture.index >= 0) material.textures.push_back("occlusionTexture");
-    if (from.emissiveTexture.index >= 0) material.textures.push_back("emissiveTexture");
+    material.alpha_cutoff = from.alphaCutoff;
+    material.base_color_texture = use_of(from.pbrMetallicRoughness.baseColorTexture);
+    material.metallic_roughness_texture = use_of(from.pbrMetallicRoughness.metallicRoughnessTexture);
+    material.emissive_texture = use_of(from.emissiveTexture);
+    material.has_normal_texture = from.normalTexture.index >= 0;
+    material.has_occlusion_texture = from.occlusionTexture.index >= 0;
     for (const auto& [name, value] : from.extensions) material.extensions.push_back(name);
     return material;
 }
@@ -240,7 +270,7 @@ GltfLight light_of(const tinygltf::Light& from) {
     return light;
 }
 
-GltfFile file_of(tinygltf::Model&& from) {
+GltfFile file_of(tinygltf::Model&& from, std::map<int, Bytes>&& pictures) {
     GltfFile file;
     for (tinygltf::Buffer& buffer : from.buffers) file.buffers.push_back(std::move(buffer.data));
     for (const tinygltf::BufferView& view : from.bufferViews)
@@ -253,7 +283,13 @@ GltfFile file_of(tinygltf::Model&& from) {
         file.cameras.push_back({camera.name, camera.type, camera.perspective.yfov, camera.perspective.znear,
                                 camera.perspective.aspectRatio});
     for (const tinygltf::Light& light : from.lights) file.lights.push_back(light_of(light));
-    for (const tinygltf::Scene& scene : from.scenes) file.scenes.push_back(scene.nodes);
+    for (const tinygltf::Skin& skin : from.skins) file.skins.push_back({skin.inverseBindMatrices, skin.joints});
+    for (const tinygltf::Image& image : from.images)
+        file.images.push_back({image.bufferView, image.uri, std::move(pictures[static_cast<int>(file.images.size())])});
+    for (const tinygltf::Sampler& sampler : from.samplers)
+        file.samplers.push_back({sampler.magFilter, sampler.minFilter, sampler.wrapS, sampler.wrapT});
+    for (const tinygltf::Texture& texture : from.textures) file.textures.push_back({texture.source, texture.sampler});
+    for (const tinygltf::Scene& scene : from.scenes) file.scenes.push_back({scene.name, scene.nodes});
     file.scene = from.defaultScene;
     file.extensions_used = from.extensionsUsed;
     file.extensions_required = from.extensionsRequired;
@@ -273,7 +309,8 @@ GltfFile parse_gltf(std::span<const unsigned char> bytes, const fs::path& folder
     Folder allowed{folder, {}};
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks({file_exists, keep_path, read_whole_file, write_nothing, &allowed});
-    parser.SetImageLoader(skip_image, nullptr);
+    std::map<int, Bytes> pictures;
+    parser.SetImageLoader(keep_image, &pictures);
     tinygltf::Model model;
     std::string faults, remarks;
     bool parsed = false;
@@ -284,13 +321,14 @@ GltfFile parse_gltf(std::span<const unsigned char> bytes, const fs::path& folder
     } catch (const std::exception& fault) {
         faults += fault.what();
     }
+    faults = without_skin_complaints(std::move(faults));
     if (!allowed.refused.empty())
         throw Error("it names \"" + allowed.refused + "\", which is not below its own folder", where,
                     "move that file beside it");
     // Some faults only shorten a list in the parser's eyes, so any complaint counts.
     if (!parsed || !faults.empty())
         throw Error("it is not valid glTF 2.0 (" + one_sentence(faults) + ")", where, "export the file again");
-    return file_of(std::move(model));
+    return file_of(std::move(model), std::move(pictures));
 }
 
 }  // namespace brewster

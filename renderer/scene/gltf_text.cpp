@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "scene/uri.h"
 
 namespace brewster {
 namespace {
@@ -58,6 +59,13 @@ const std::map<std::string, Kind> kinds = {
     {"uri", Kind::string},
     {"yfov", Kind::number},
     {"znear", Kind::number},
+    {"minFilter", Kind::index},
+    {"magFilter", Kind::index},
+    {"wrapS", Kind::index},
+    {"wrapT", Kind::index},
+    {"inverseBindMatrices", Kind::index},
+    {"skeleton", Kind::index},
+    {"mimeType", Kind::string},
     {"zfar", Kind::number},
     {"birefringence", Kind::number},
     {"thickness", Kind::number},
@@ -110,6 +118,7 @@ class Checker {
                 check_member(key, value, key);
             }
         }
+        check_picture_views(root);
     }
 
   private:
@@ -156,9 +165,47 @@ class Checker {
     void check_extensions(const json& object, const std::string& path) const {
         if (!object.is_object()) wrong(path, "is not an object");
         for (const auto& [key, value] : object.items()) {
+            if (key == "KHR_texture_transform") check_texture_transform(value, path + "." + key);
             if (read_extensions.count(key) == 0) continue;
             if (!value.is_object()) wrong(path + "." + key, "is not an object");
             check_members(value, path + "." + key);
+        }
+    }
+
+    // Its members share their names with those of nodes and buffers.
+    void check_texture_transform(const json& object, const std::string& path) const {
+        if (!object.is_object()) wrong(path, "is not an object");
+        for (const auto& [key, value] : object.items()) {
+            if (key == "offset" || key == "scale") check_numbers(value, path + "." + key, 2);
+            if (key == "rotation") check_kind(value, path + "." + key, Kind::number);
+            if (key == "texCoord") check_kind(value, path + "." + key, Kind::index);
+        }
+    }
+
+    // The parser takes the address of an embedded picture's first byte before anyone could ask whether there is one.
+    void check_picture_views(const json& root) const {
+        if (!root.contains("images")) return;
+        const auto size = [](const json& object, const char* name) -> std::uint64_t {
+            return object.contains(name) ? object[name].get<std::uint64_t>() : 0;
+        };
+        const auto item = [&](const char* list, std::uint64_t i, const std::string& path) -> const json& {
+            const std::size_t count = root.contains(list) ? root[list].size() : 0;
+            if (i >= count)
+                wrong(path, "is " + std::to_string(i) + ", but there are " + std::to_string(count) + " " + list);
+            return root[list][i];
+        };
+        for (std::size_t i = 0; i < root["images"].size(); ++i) {
+            const json& image = root["images"][i];
+            if (!image.contains("bufferView")) continue;
+            const std::string path = "images[" + std::to_string(i) + "].bufferView";
+            const std::uint64_t index = size(image, "bufferView");
+            const json& view = item("bufferViews", index, path);
+            const json& buffer =
+                item("buffers", size(view, "buffer"), "bufferViews[" + std::to_string(index) + "].buffer");
+            const std::uint64_t length = size(view, "byteLength");
+            if (length == 0 || size(view, "byteOffset") + length > size(buffer, "byteLength"))
+                wrong("bufferViews[" + std::to_string(index) + "]",
+                      "ends beyond its buffer of " + std::to_string(size(buffer, "byteLength")) + " bytes");
         }
     }
 
@@ -190,12 +237,20 @@ class Checker {
                 return;
             case Kind::string:
                 if (!value.is_string()) wrong(path, "is not a string");
+                if (path.size() > 4 && path.compare(path.size() - 4, 4, ".uri") == 0) check_uri(value);
                 return;
             case Kind::indices:
                 if (!value.is_array()) wrong(path, "is not a list");
                 for (const json& index : value) check_kind(index, path, Kind::index);
                 return;
         }
+    }
+
+    void check_uri(const std::string& uri) const {
+        constexpr std::size_t longest_name = 200;
+        if (!stays_below(uri))
+            throw Error("it names \"" + uri.substr(0, longest_name) + "\", which is not below its own folder", where_,
+                        "move that file beside it");
     }
 
     void check_integer(const json& value, const std::string& path, std::int64_t largest) const {

@@ -3,6 +3,8 @@
 #include <glm/vec3.hpp>
 #include <string>
 
+#include "scene/texture.h"
+
 namespace brewster {
 
 enum class InterfaceKind : std::uint8_t { none, dielectric, conductor };
@@ -43,6 +45,8 @@ struct Material {
     Filter filter;             ///< with a base that is transparent and thin
     glm::vec3 emission{0.0f};  ///< radiance that leaves the surface, cd/m2
     bool double_sided = false;
+    std::uint32_t texture = no_texture;  ///< in Scene::textures: multiplies the base's albedo, and alpha
+    float alpha = 1, alpha_cutoff = 0;   ///< cut out where alpha times the texture's is below the cutoff; 0: nowhere
 
     bool emits() const { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
 };

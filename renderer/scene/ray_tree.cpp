@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "scene/albedo.h"
 
 namespace brewster {
 namespace {
@@ -21,8 +22,10 @@ struct ReleaseTree {
 
 // A context whose filter rejects hits on the plane that a ray leaves, which the ray carries as its id. Most rays that
 // leave a plane meet it within rounding of their start: rejecting those on the way costs less than tracing them again.
+// Rays pass through holes the same way, unless their flags say that they meet them.
 struct PastContext {
-    explicit PastContext(const std::vector<std::uint32_t>& planes_of_triangles) : planes(&planes_of_triangles) {
+    PastContext(const std::vector<std::uint32_t>& planes_of_triangles, const Scene* cut_out)
+        : planes(&planes_of_triangles), scene(cut_out) {
         rtcInitIntersectContext(&base);
         base.filter = reject_plane;
     }
@@ -32,12 +35,18 @@ struct PastContext {
         for (unsigned i = 0; i < arguments->N; ++i) {
             const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
             const unsigned plane = RTCRayN_id(arguments->ray, arguments->N, i);
-            if (arguments->valid[i] && (*context.planes)[triangle] == plane) arguments->valid[i] = 0;
+            if (!arguments->valid[i]) continue;
+            if ((*context.planes)[triangle] == plane ||
+                (context.scene && RTCRayN_flags(arguments->ray, arguments->N, i) == 0 &&
+                 is_hole(*context.scene, triangle, RTCHitN_u(arguments->hit, arguments->N, i),
+                         RTCHitN_v(arguments->hit, arguments->N, i))))
+                arguments->valid[i] = 0;
         }
     }
 
     RTCIntersectContext base;
     const std::vector<std::uint32_t>* planes;
+    const Scene* scene;  // null: nothing in it is cut out
 };
 
 TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::uint32_t plane) {
@@ -51,6 +60,7 @@ TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray, std::
     query.ray.tfar = INFINITY;
     query.ray.mask = 0xffffffffu;
     query.ray.id = plane;
+    query.ray.flags = ray.meets_holes;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(tree, &context.base, &query);
     return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
@@ -75,7 +85,7 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
         query.ray.tfar[i] = INFINITY;
         query.ray.mask[i] = 0xffffffffu;
         query.ray.id[i] = planes[index];
-        query.ray.flags[i] = 0;
+        query.ray.flags[i] = ray.meets_holes;
         query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect8(valid, tree, &context.base, &query);
@@ -87,12 +97,16 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
 
 struct RayTree::Impl {
     std::vector<std::uint32_t> planes;
+    const Scene* cut_out = nullptr;                      // the scene, if anything in it is cut out
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;  // outlives the tree
     std::unique_ptr<RTCSceneTy, ReleaseTree> tree;
 };
 
 RayTree::RayTree(const Scene& scene, std::vector<std::uint32_t> planes) : impl_(std::make_unique<Impl>()) {
     impl_->planes = std::move(planes);
+    if (std::any_of(scene.materials.begin(), scene.materials.end(),
+                    [](const Material& material) { return material.alpha_cutoff > 0; }))
+        impl_->cut_out = &scene;
     impl_->device.reset(rtcNewDevice("isa=avx2,threads=1,verbose=0"));
     const RTCDevice device = impl_->device.get();
     if (!device) throw Error("Embree does not start", scene.name, "use a CPU with AVX2");
@@ -125,7 +139,7 @@ RayTree::~RayTree() = default;
 
 void RayTree::trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes,
                     std::span<TriangleHit> hits) const {
-    PastContext context(impl_->planes);
+    PastContext context(impl_->planes, impl_->cut_out);
     if (rays.size() == 1) {
         hits[0] = trace_one(impl_->tree.get(), context, rays[0], planes[0]);
         return;

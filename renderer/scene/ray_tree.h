@@ -13,11 +13,12 @@ namespace brewster {
 /// Constant once built, so any number of threads may ask.
 class RayTree {
   public:
-    /// `planes`: a number for each triangle; triangles of one number are passed together.
+    /// Keeps a reference to the scene. `planes`: a number for each triangle; triangles of one number are passed together.
     RayTree(const Scene& scene, std::vector<std::uint32_t> planes);
     ~RayTree();
 
-    /// The nearest triangle in front of each ray that is not of its number in `planes`. One ray alone and a ray in any
+    /// The nearest triangle in front of each ray that is not of its number in `planes`, nor a hole there unless the ray
+    /// meets holes. One ray alone and a ray in any
     /// company get the same bits.
     void trace(std::span<const Ray> rays, std::span<const std::uint32_t> planes, std::span<TriangleHit> hits) const;
 

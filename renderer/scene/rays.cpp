@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.h"
+#include "scene/albedo.h"
 #include "scene/exact_hit.h"
 #include "scene/planes.h"
 #include "scene/ray_tree.h"
@@ -75,7 +76,7 @@ struct Rays::Impl {
     // From the first answer to the hit; where that is nothing or a back, by a closer look.
     Hit finished(const Ray& ray, std::uint32_t plane, const TriangleHit& first) const {
         const Hit hit = hit_on(ray, first);
-        if (hit.chart != no_chart) return hit;
+        if (hit.chart != no_chart || hit.hole) return hit;
         const Hit closer = hit_on(ray, closer_look(ray, plane, first));
         return closer.chart != no_chart ? closer : hit;
     }
@@ -105,13 +106,20 @@ struct Rays::Impl {
         tree.trace({&beside, 1}, {&plane, 1}, {&candidate, 1});
         const bool disagrees = candidate.met() && candidate.triangle != first.triangle;
         if (disagrees)
-            if (const auto exact = exact_hit(scene, candidate.triangle, clear.origin, clear.direction)) return *exact;
+            if (const auto exact = exact_hit(scene, candidate.triangle, clear.origin, clear.direction);
+                exact && counts(ray, *exact))
+                return *exact;
         // The ray beside may have met the next wall instead, or, where both run within a hundredth along the plane
         // left, passed over the one that counts. Then all triangles are asked, unless that would take long: of rays
         // that really leave a scene, one in some hundred disagrees, one in ten thousand grazes.
         if (!grazes && !(disagrees && scene.triangles.size() <= few_triangles)) return {};
-        return nearest_exact(scene, clear.origin, clear.direction,
-                             [&](std::uint32_t triangle) { return plane_of(triangle) != plane; });
+        return nearest_exact(scene, clear.origin, clear.direction, [&](const TriangleHit& hit) {
+            return plane_of(hit.triangle) != plane && counts(ray, hit);
+        });
+    }
+
+    bool counts(const Ray& ray, const TriangleHit& hit) const {
+        return ray.meets_holes || !is_hole(scene, hit.triangle, hit.b1, hit.b2);
     }
 
     Hit hit_on(const Ray& ray, const TriangleHit& raw) const {
@@ -127,6 +135,7 @@ struct Rays::Impl {
         const bool from_front = glm::dot(front.normal, ray.direction) < 0.0f;
         hit.chart = from_front ? triangle.front_chart : triangle.back_chart;
         hit.normal = hit.shading_normal = from_front ? front.normal : -front.normal;
+        hit.hole = ray.meets_holes && is_hole(scene, raw.triangle, raw.b1, raw.b2);
         if (hit.chart == no_chart) return hit;
         const glm::vec2 uv = scene.charts[hit.chart].unit_coordinates(hit.position);
         hit.u = chart_fixed_point(uv.x);

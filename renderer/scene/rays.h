@@ -12,6 +12,7 @@ struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f, 0.0f, 1.0f};  ///< unit
     std::uint32_t leaving = no_triangle;    ///< the triangle the ray starts on (Hit::triangle); its plane cannot be hit
+    bool meets_holes = false;               ///< stops at what is cut out by alpha, too, and says so; else passes it
 };
 
 /// Where a ray meets the scene first. `position` lies on the triangle's plane, pulled inside its edges by 1e-6 of the
@@ -21,6 +22,7 @@ struct Hit {
     std::uint32_t chart = no_chart;        ///< of the side that was hit; no_chart on a back that absorbs
     float distance = 0;
     glm::vec3 position{0.0f};
+    bool hole = false;               ///< of a ray that meets holes: light passes here
     std::uint32_t u = 0, v = 0;      ///< fixed-point chart coordinates, 24 bits
     float b1 = 0, b2 = 0;            ///< barycentric coordinates of the triangle's second and third corner
     glm::vec3 normal{0.0f};          ///< of the triangle, unit, on the side that was hit

@@ -18,6 +18,7 @@
 #include "scene/read_lamp.h"
 #include "scene/read_material.h"
 #include "scene/read_mesh.h"
+#include "scene/read_textures.h"
 #include "scene/scene.h"
 #include "scene/surfaces.h"
 #include "scene/validate.h"
@@ -41,6 +42,23 @@ struct MeshPart {
     PlacedPrimitive placed;
 };
 
+// What a part's vertices look like.
+struct Look {
+    std::vector<glm::vec2> coordinates;
+    std::vector<glm::vec4> colors;
+    bool textured = false, coloured = false;  // whether any of them says more than the default
+
+    void add(const PlacedPrimitive& placed, const GltfTextureUse& use) {
+        const std::size_t count = colors.size() + placed.vertices.size();
+        textured = textured || (use.present() && !placed.texture_coordinates.empty());
+        coloured = coloured || !placed.colors.empty();
+        for (const glm::vec2 each : placed.texture_coordinates) coordinates.push_back(transformed(use, each));
+        coordinates.resize(count);
+        colors.insert(colors.end(), placed.colors.begin(), placed.colors.end());
+        colors.resize(count, glm::vec4(1.0f));
+    }
+};
+
 glm::dmat4 local_transform(const GltfNode& node) {
     glm::dmat4 transform(1.0);
     if (!node.matrix.empty()) {
@@ -57,18 +75,18 @@ glm::dmat4 local_transform(const GltfNode& node) {
     return transform;
 }
 
-// The nodes of the file's scene, or of all if it has none, parents first.
-std::vector<PlacedNode> placed_nodes(const GltfFile& file) {
+std::vector<int> nodes_without_parent(const GltfFile& file) {
+    std::vector<bool> is_child(file.nodes.size(), false);
+    for (const GltfNode& node : file.nodes)
+        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
     std::vector<int> roots;
-    if (!file.scenes.empty()) {
-        roots = file.scenes[static_cast<std::size_t>(std::max(file.scene, 0))];
-    } else {
-        std::vector<bool> is_child(file.nodes.size(), false);
-        for (const GltfNode& node : file.nodes)
-            for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
-        for (std::size_t i = 0; i < file.nodes.size(); ++i)
-            if (!is_child[i]) roots.push_back(static_cast<int>(i));
-    }
+    for (std::size_t i = 0; i < file.nodes.size(); ++i)
+        if (!is_child[i]) roots.push_back(static_cast<int>(i));
+    return roots;
+}
+
+// Nodes below these roots, parents first.
+std::vector<PlacedNode> nodes_below(const GltfFile& file, const std::vector<int>& roots) {
     std::vector<PlacedNode> nodes;
     for (const int root : roots) nodes.push_back({static_cast<std::size_t>(root), glm::dmat4(1.0)});
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -79,6 +97,19 @@ std::vector<PlacedNode> placed_nodes(const GltfFile& file) {
     return nodes;
 }
 
+// By index; joints may stand outside the file's scene.
+std::vector<glm::dmat4> world_transforms(const GltfFile& file) {
+    std::vector<glm::dmat4> transforms(file.nodes.size());
+    for (const PlacedNode& node : nodes_below(file, nodes_without_parent(file))) transforms[node.index] = node.to_world;
+    return transforms;
+}
+
+// The nodes of the file's scene, or of all if it has none, parents first.
+std::vector<PlacedNode> placed_nodes(const GltfFile& file) {
+    if (file.scenes.empty()) return nodes_below(file, nodes_without_parent(file));
+    return nodes_below(file, file.scenes[static_cast<std::size_t>(std::max(file.scene, 0))].nodes);
+}
+
 std::string first_name(const std::string& node, const std::string& own, const std::string& kind, std::size_t index) {
     if (!node.empty()) return node;
     return own.empty() ? kind + " " + std::to_string(index) : own;
@@ -87,14 +118,17 @@ std::string first_name(const std::string& node, const std::string& own, const st
 class Reader {
   public:
     Reader(const GltfFile& file, const std::string& where, const std::string& name)
-        : file_(file), where_(where), nodes_(placed_nodes(file)) {
+        : file_(file),
+          where_(where),
+          nodes_(placed_nodes(file)),
+          world_transforms_(world_transforms(file)),
+          textures_(file, where, scene_.warnings) {
         scene_.name = name;
     }
 
     Scene read() {
         warn_of_the_unread();
-        for (std::size_t i = 0; i < file_.materials.size(); ++i)
-            scene_.materials.push_back(read_material(file_.materials[i], i, scene_.warnings));
+        read_materials();
         for (const PlacedNode& node : nodes_) place_mesh(node);
         recentre();
         add_parts();
@@ -109,13 +143,46 @@ class Reader {
 
     void warn_of_the_unread() {
         static const std::set<std::string> read = {
-            "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-            "KHR_materials_ior",     "KHR_materials_specular",
-            "KHR_mesh_quantization", "KHR_materials_transmission",
-            "KHR_materials_volume",  "BREWSTER_surface"};  // the last three are said of each material
+            "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+            "KHR_materials_ior",          "KHR_materials_specular",
+            "KHR_mesh_quantization",      "KHR_texture_transform",
+            "KHR_materials_transmission", "KHR_materials_volume",
+            "BREWSTER_surface",           "KHR_materials_unlit"};  // the last four are said of each material
+        std::set<std::string> said;
         for (const std::string& name : file_.extensions_used)
-            if (read.count(name) == 0) warn("the extension " + name + " is not read");
+            if (read.count(name) == 0 && said.insert(name).second) warn("the extension " + name + " is not read");
         if (file_.has_animations) warn("animations are not played; the scene stands as its nodes say");
+        if (file_.scenes.size() > 1) {
+            const auto shown = static_cast<std::size_t>(std::max(file_.scene, 0));
+            warn("it holds " + std::to_string(file_.scenes.size()) + " scenes; " +
+                 first_name(file_.scenes[shown].name.empty() ? "" : "\"" + file_.scenes[shown].name + "\"", "", "scene",
+                            shown) +
+                 " is shown");
+        }
+    }
+
+    void read_materials() {
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < file_.materials.size(); ++i) {
+            GltfMaterial from = file_.materials[i];
+            const std::string subject = "material \"" + material_name(from, i) + "\": ";
+            const std::vector<std::string>& extensions = from.extensions;
+            if (std::find(extensions.begin(), extensions.end(), "KHR_materials_unlit") != extensions.end()) {
+                warn(subject + "it is unlit in the file; it is a Lambert surface of its base colour");
+                from.metallic = from.specular = 0;
+            }
+            from = with_texture_means(std::move(from), subject, textures_, scene_.warnings);
+            Material material = read_material(from, i, scene_.warnings);
+            set_texture(material, from, textures_);
+            if (material.alpha_cutoff > 0 && material.emits())
+                warn(subject + "its holes glow as if they were not cut out");
+            const std::string wanted = material.name;
+            for (int k = 2; !names.insert(material.name).second; ++k) material.name = wanted + " " + std::to_string(k);
+            if (material.name != wanted)
+                warn("material \"" + wanted + "\" is there twice; the second is called \"" + material.name + "\"");
+            scene_.materials.push_back(std::move(material));
+        }
+        scene_.textures = textures_.take();
     }
 
     std::uint32_t default_material_index() {
@@ -132,8 +199,13 @@ class Reader {
         const GltfMesh& mesh = file_.meshes[static_cast<std::size_t>(node.mesh)];
         const std::string name = first_name(node.name, mesh.name, "mesh", static_cast<std::size_t>(node.mesh));
         const std::string subject = "mesh \"" + name + "\": ";
-        if (node.skin >= 0) warn(subject + "its skin is not read; it stands in its rest pose");
-        bool morphs = false, without_material = false, other_modes = false;
+        MeshPlace place{placed.to_world, {}};
+        if (node.skin >= 0) {
+            place.joints = joint_transforms(file_.skins[static_cast<std::size_t>(node.skin)]);
+            warn(subject + "its skin is not animated; it stands as its joints do in the file");
+        }
+        bool morphs = false, without_material = false, other_modes = false, without_coordinates = false,
+             uncoloured = false;
         std::size_t mended_normals = 0;
         for (const GltfPrimitive& primitive : mesh.primitives) {
             morphs = morphs || primitive.has_morph_targets;
@@ -141,23 +213,59 @@ class Reader {
                 other_modes = true;
                 continue;
             }
-            triangle_count_ += triangle_count(file_, primitive);
-            if (triangle_count_ > most_triangles)
-                throw Error("it has more than 50 million triangles", where_, "simplify its meshes");
-            MeshPart part{placed.index, name, mesh.name, 0, place_primitive(file_, primitive, placed.to_world)};
+            count_triangles(primitive);
+            MeshPart part{placed.index, name, mesh.name, 0, {}};
             part.material =
                 primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
+            part.placed = place_primitive(file_, primitive, place, base_use(part.material).set);
+            const Material& material = scene_.materials[part.material];
             without_material = without_material || primitive.material < 0;
+            without_coordinates =
+                without_coordinates || (material.texture != no_texture && part.placed.texture_coordinates.empty());
+            uncoloured = uncoloured || (material.albedo == glm::vec3(0.0f) && !part.placed.colors.empty());
             mended_normals += part.placed.mended_normals;
             if (!part.placed.triangles.empty()) parts_.push_back(std::move(part));
         }
-        if (morphs) warn(subject + "its morph targets are not read; it stands in its rest pose");
+        if (!said_meshes_.insert(node.mesh).second) return;
+        const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
+        if (morphs && std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }))
+            warn(subject + "its morph targets are not read; it stands in its rest pose");
+        if (without_coordinates)
+            warn(subject + "it has no coordinates for its texture; the first texel colours all of it");
+        if (uncoloured) warn(subject + "the colours of its vertices are not simulated on its material");
         if (without_material) warn(subject + "it has no material and gets Lambert of albedo 0.8");
         if (other_modes) warn(subject + "its points and lines are left out; they have no surface");
         if (mended_normals > 0)
             warn(subject + std::to_string(mended_normals) +
                  " of its normals have no length; the mean of the facets "
                  "around them stands in");
+    }
+
+    // A small file may place a mesh many times.
+    void count_triangles(const GltfPrimitive& primitive) {
+        triangle_count_ += triangle_count(file_, primitive);
+        if (triangle_count_ > most_triangles)
+            throw Error("it has more than " + std::to_string(most_triangles / 1'000'000) + " million triangles", where_,
+                        "simplify its meshes");
+    }
+
+    const GltfTextureUse& base_use(std::uint32_t material) const {
+        static const GltfTextureUse none;
+        return material < file_.materials.size() ? file_.materials[material].base_color_texture : none;
+    }
+
+    std::vector<glm::dmat4> joint_transforms(const GltfSkin& skin) const {
+        std::vector<glm::dmat4> joints;
+        for (std::size_t k = 0; k < skin.joints.size(); ++k) {
+            glm::dmat4 to_joint(1.0);  // the inverse bind matrix
+            if (skin.inverse_bind_matrices >= 0)
+                for (int i = 0; i < 16; ++i)
+                    to_joint[i / 4][i % 4] = static_cast<double>(
+                        read_float(file_, file_.accessors[static_cast<std::size_t>(skin.inverse_bind_matrices)], k,
+                                   static_cast<std::size_t>(i)));
+            joints.push_back(world_transforms_[static_cast<std::size_t>(skin.joints[k])] * to_joint);
+        }
+        return joints;
     }
 
     void recentre() {
@@ -181,22 +289,44 @@ class Reader {
     // together.
     void add_parts() {
         std::vector<Part> parts;
+        std::vector<Look> looks;
         std::map<std::tuple<std::size_t, std::uint32_t, bool>, std::size_t> known;
         for (const MeshPart& from : parts_) {
             const PlacedPrimitive& placed = from.placed;
             const auto [at, is_new] =
                 known.try_emplace({from.node, from.material, placed.normals.empty()}, parts.size());
-            if (is_new) parts.push_back({from.node_name, from.mesh_name, from.material, {}, {}, {}});
+            if (is_new) {
+                parts.push_back({from.node_name, from.mesh_name, from.material, {}, {}, {}});
+                looks.emplace_back();
+            }
             Part& part = parts[at->second];
             const auto first = static_cast<std::uint32_t>(part.vertices.size());
             for (const glm::dvec3& p : placed.vertices) part.vertices.emplace_back(p - scene_.centre);
             part.normals.insert(part.normals.end(), placed.normals.begin(), placed.normals.end());
             for (const auto& [a, b, c] : placed.triangles) part.triangles.push_back({first + a, first + b, first + c});
+            looks[at->second].add(placed, base_use(from.material));
         }
         std::size_t without_area = 0;
-        for (const Part& part : parts) without_area += add_surfaces(scene_, part);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            without_area += add_surfaces(scene_, parts[i]);
+            add_look(looks[i]);
+        }
         if (scene_.triangles.empty()) throw Error("none of its triangles has an area", where_, "export it again");
         if (without_area > 0) warn(std::to_string(without_area) + " triangles without area are left out");
+    }
+
+    // Colours and texture coordinates of the vertices that a part has just brought into the scene.
+    void add_look(const Look& look) {
+        const std::size_t first = scene_.vertices.size() - look.colors.size();
+        if (look.textured || !scene_.texture_coordinates.empty()) {
+            scene_.texture_coordinates.resize(first);
+            scene_.texture_coordinates.insert(scene_.texture_coordinates.end(), look.coordinates.begin(),
+                                              look.coordinates.end());
+        }
+        if (look.coloured || !scene_.vertex_colors.empty()) {
+            scene_.vertex_colors.resize(first, glm::vec4(1.0f));
+            scene_.vertex_colors.insert(scene_.vertex_colors.end(), look.colors.begin(), look.colors.end());
+        }
     }
 
     void place_lamps_and_cameras() {
@@ -265,7 +395,10 @@ class Reader {
     const std::string& where_;
     Scene scene_;
     std::vector<PlacedNode> nodes_;
+    std::vector<glm::dmat4> world_transforms_;  // of all nodes
+    TextureReader textures_;
     std::vector<MeshPart> parts_;
+    std::set<int> said_meshes_;  // of which everything was said at their first node
     std::size_t triangle_count_ = 0;
     std::uint32_t default_material_ = no_chart;
 };

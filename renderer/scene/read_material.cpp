@@ -160,9 +160,13 @@ void set_filter(Material& material, const GltfSurface& surface) {
 
 }  // namespace
 
+std::string material_name(const GltfMaterial& material, std::size_t index) {
+    return material.name.empty() ? "material " + std::to_string(index) : material.name;
+}
+
 Material read_material(const GltfMaterial& from, std::size_t index, std::vector<std::string>& warnings) {
     Material material;
-    material.name = from.name.empty() ? "material " + std::to_string(index) : from.name;
+    material.name = material_name(from, index);
     material.double_sided = from.double_sided;
     for (int band = 0; band < 3; ++band)
         material.emission[band] =
@@ -175,10 +179,7 @@ Material read_material(const GltfMaterial& from, std::size_t index, std::vector<
         warnings.push_back(subject + substitute);
     if (material.filter.kind != FilterKind::none)
         warnings.push_back(subject + "its filter is not simulated; it is a white Lambert surface");
-    for (const std::string& texture : from.textures)
-        warnings.push_back(subject + texture + " is not read; the factor beside it is used alone");
-    if (from.alpha_mode != "OPAQUE")
-        warnings.push_back(subject + "its alpha mode " + from.alpha_mode + " is not simulated; it is opaque");
+    if (from.alpha_mode == "BLEND") warnings.push_back(subject + "its alpha mode BLEND is not simulated; it is opaque");
     return material;
 }
 

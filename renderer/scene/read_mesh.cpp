@@ -1,8 +1,11 @@
 #include "scene/read_mesh.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <string>
+#include <unordered_map>
 
 #include "scene/accessor.h"
 
@@ -65,6 +68,72 @@ bool is_flat(const PlacedPrimitive& part) {
     return true;
 }
 
+const GltfAccessor* attribute(const GltfFile& file, const GltfPrimitive& primitive, const std::string& name) {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? nullptr : &accessor(file, found->second);
+}
+
+// Integers are fractions here, whether the file says so or not.
+glm::vec4 read_color(const GltfFile& file, GltfAccessor colors, std::size_t i) {
+    colors.normalized = true;
+    glm::vec4 color = read_vector(file, colors, i);
+    if (colors.components == 3) color.w = 1.0f;
+    return glm::clamp(color, 0.0f, 1.0f);
+}
+
+// Which of a primitive's vertices are placed already, and as what. Many primitives may each use a few of many vertices.
+class PlacedNumbers {
+  public:
+    PlacedNumbers(std::size_t vertices, std::size_t corners) : few_(corners < vertices / 8) {
+        if (!few_) numbers_.assign(vertices, unused);
+    }
+    std::uint32_t& of(std::uint32_t vertex) {
+        return few_ ? map_.try_emplace(vertex, unused).first->second : numbers_[vertex];
+    }
+
+  private:
+    bool few_;
+    std::vector<std::uint32_t> numbers_;
+    std::unordered_map<std::uint32_t, std::uint32_t> map_;
+};
+
+// Where each vertex of a primitive goes.
+class Pose {
+  public:
+    Pose(const GltfFile& file, const GltfPrimitive& primitive, const MeshPlace& place) : file_(file), place_(place) {
+        for (int set = 0; !place.joints.empty(); ++set) {
+            const GltfAccessor* joints = attribute(file, primitive, "JOINTS_" + std::to_string(set));
+            const GltfAccessor* weights = attribute(file, primitive, "WEIGHTS_" + std::to_string(set));
+            if (!joints || !weights) break;
+            sets_.push_back({joints, *weights});
+            sets_.back().weights.normalized = true;
+        }
+    }
+
+    glm::dmat4 of_vertex(std::size_t i) const {
+        glm::dmat4 sum(0.0);
+        double whole = 0;
+        for (const Set& set : sets_) {
+            const glm::vec4 joint = read_vector(file_, *set.joints, i), weight = read_vector(file_, set.weights, i);
+            for (int k = 0; k < 4; ++k) {
+                if (!(weight[k] > 0)) continue;
+                sum += static_cast<double>(weight[k]) * place_.joints[static_cast<std::size_t>(joint[k])];
+                whole += static_cast<double>(weight[k]);
+            }
+        }
+        return whole > 0 ? sum / whole : place_.to_world;
+    }
+
+  private:
+    struct Set {
+        const GltfAccessor* joints;
+        GltfAccessor weights;
+    };
+    const GltfFile& file_;
+    const MeshPlace& place_;
+    std::vector<Set> sets_;
+};
+
 }  // namespace
 
 std::size_t triangle_count(const GltfFile& file, const GltfPrimitive& primitive) {
@@ -85,33 +154,41 @@ std::array<std::size_t, 3> triangle_corners(int mode, std::size_t t) {
     }
 }
 
-PlacedPrimitive place_primitive(const GltfFile& file, const GltfPrimitive& primitive, const glm::dmat4& to_world) {
+PlacedPrimitive place_primitive(const GltfFile& file, const GltfPrimitive& primitive, const MeshPlace& place,
+                                int texture_set) {
     const GltfAccessor& positions = positions_of(file, primitive);
-    const auto found = primitive.attributes.find("NORMAL");
-    const GltfAccessor* normals = found == primitive.attributes.end() ? nullptr : &accessor(file, found->second);
-    const glm::dmat3 turned = normal_transform(glm::dmat3(to_world));
-    const bool mirrored = glm::determinant(glm::dmat3(to_world)) < 0;
+    const GltfAccessor* normals = attribute(file, primitive, "NORMAL");
+    const GltfAccessor* coordinates = attribute(file, primitive, "TEXCOORD_" + std::to_string(texture_set));
+    const GltfAccessor* colors = attribute(file, primitive, "COLOR_0");
+    const Pose pose(file, primitive, place);
 
     PlacedPrimitive part;
-    std::vector<std::uint32_t> placed(positions.count, unused);
+    PlacedNumbers placed(positions.count, corner_count(file, primitive));
+    std::vector<bool> mirrored;
     bool mend = false;
     const auto vertex = [&](std::size_t corner) {
         const std::uint32_t i = primitive.indices < 0 ? static_cast<std::uint32_t>(corner)
                                                       : read_index(file, accessor(file, primitive.indices), corner);
-        if (placed[i] != unused) return placed[i];
-        placed[i] = static_cast<std::uint32_t>(part.vertices.size());
+        std::uint32_t& number = placed.of(i);
+        if (number != unused) return number;
+        number = static_cast<std::uint32_t>(part.vertices.size());
+        const glm::dmat4 to_world = pose.of_vertex(i);
+        mirrored.push_back(glm::determinant(glm::dmat3(to_world)) < 0);
         part.vertices.emplace_back(to_world * glm::dvec4(glm::dvec3(read_vector(file, positions, i)), 1.0));
         if (normals) {
+            const glm::dmat3 turned = normal_transform(glm::dmat3(to_world));
             part.normals.push_back(unit_or_zero(turned * glm::dvec3(read_vector(file, *normals, i))));
             mend = mend || part.normals.back() == glm::vec3(0.0f);
         }
-        return placed[i];
+        if (coordinates) part.texture_coordinates.emplace_back(read_vector(file, *coordinates, i));
+        if (colors) part.colors.push_back(read_color(file, *colors, i));
+        return number;
     };
     const std::size_t count = triangle_count(file, primitive);
     for (std::size_t t = 0; t < count; ++t) {
         const std::array<std::size_t, 3> corners = triangle_corners(primitive.mode, t);
         std::array<std::uint32_t, 3> triangle = {vertex(corners[0]), vertex(corners[1]), vertex(corners[2])};
-        if (mirrored) std::swap(triangle[1], triangle[2]);
+        if (mirrored[triangle[0]]) std::swap(triangle[1], triangle[2]);
         part.triangles.push_back(triangle);
     }
     if (mend) mend_normals(part);

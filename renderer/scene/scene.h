@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -33,10 +35,13 @@ struct Scene {
     glm::dvec3 centre{0.0};
     glm::vec3 low{0.0f}, high{0.0f};  ///< bounds after recentring
     std::vector<glm::vec3> vertices;
-    std::vector<Triangle> triangles;  ///< those of one surface stand together
+    std::vector<glm::vec2> texture_coordinates;  ///< of the vertices, ready for the texture; none where none is used
+    std::vector<glm::vec4> vertex_colors;        ///< of the vertices, linear, [0, 1]; none where all are white
+    std::vector<Triangle> triangles;             ///< those of one surface stand together
     std::vector<Chart> charts;
     std::vector<std::vector<Contact>> contacts;  ///< per chart
     std::vector<Material> materials;
+    std::vector<SurfaceTexture> textures;
     std::vector<Lamp> lamps;
     std::vector<Camera> cameras;        ///< never empty: a file without one gets the view "fit"
     std::vector<std::string> warnings;  ///< what is not simulated or was mended, a sentence each

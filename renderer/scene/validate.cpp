@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/error.h"
 #include "base/units.h"
@@ -15,9 +17,24 @@ std::string item(const std::string& list, std::size_t i) {
     return list + "[" + std::to_string(i) + "]";
 }
 
+// More elements than a file that can be read has, however often its lists name the same bytes.
+constexpr std::size_t most_elements = std::size_t{1} << 29;
+
 struct Validator {
     const GltfFile& file;
     const std::string& where;
+    mutable std::set<std::pair<int, bool>> finite{};       // accessors whose numbers were looked at
+    mutable std::map<int, std::uint32_t> largest_index{};  // of accessors of indices
+    mutable std::size_t elements = 0;                      // looked at so far
+
+    // Reads each accessor once: many primitives may share it.
+    void count_elements(std::size_t count) const {
+        elements += count;
+        if (elements > most_elements)
+            throw Error("its accessors hold more than " + std::to_string(most_elements / 1'000'000) +
+                            " million elements together",
+                        where, "simplify its meshes");
+    }
 
     [[noreturn]] void wrong(const std::string& path, const std::string& fault) const {
         throw Error("\"" + path + "\" " + fault, where, "export the file again or mend it by hand");
@@ -54,10 +71,10 @@ struct Validator {
 
     void check_extensions() const {
         static const std::vector<std::string> readable = {
-            "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-            "KHR_materials_ior",          "KHR_materials_specular",
-            "KHR_materials_transmission", "KHR_materials_volume",
-            "BREWSTER_surface",           "KHR_mesh_quantization"};
+            "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
+            "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_volume",
+            "BREWSTER_surface",       "KHR_mesh_quantization",           "KHR_texture_transform",
+            "KHR_materials_unlit"};
         for (const std::string& name : file.extensions_required)
             if (std::find(readable.begin(), readable.end(), name) == readable.end())
                 throw Error("it requires the extension " + name + ", which is not read", where,
@@ -159,7 +176,7 @@ struct Validator {
             wrong(path, "has " + std::to_string(corners) + " triangle corners, " +
                             (primitive.mode == gltf_triangles ? "not a multiple of 3" : "fewer than 3"));
         for (const auto& [name, index] : primitive.attributes)
-            check_attribute(name, check_read_accessor(index, path), positions.count, path + ".attributes." + name);
+            check_attribute(name, index, positions.count, path + ".attributes." + name);
     }
 
     std::size_t check_vertex_indices(const GltfPrimitive& primitive, std::size_t vertices,
@@ -169,35 +186,56 @@ struct Validator {
         if (indices.components != 1 ||
             (type != gltf_unsigned_byte && type != gltf_unsigned_short && type != gltf_unsigned_int))
             wrong(path + ".indices", "is not a SCALAR of unsigned integers");
-        const std::uint32_t restart = 0xffffffffu >> (32 - 8 * component_bytes(type));
-        for (std::size_t i = 0; i < indices.count; ++i) {
-            const std::uint32_t vertex = read_index(file, indices, i);
-            if (vertex == restart && primitive.mode != gltf_triangles)
-                wrong(path + ".indices", "restarts its strip at corner " + std::to_string(i) + ", which glTF forbids");
-            if (vertex >= vertices)
-                wrong(path + ".indices",
-                      "holds vertex " + std::to_string(vertex) + ", but there are " + std::to_string(vertices));
+        const auto [known, is_new] = largest_index.try_emplace(primitive.indices, 0);
+        if (is_new) {
+            count_elements(indices.count);
+            for (std::size_t i = 0; i < indices.count; ++i)
+                known->second = std::max(known->second, read_index(file, indices, i));
         }
+        const std::uint32_t largest = known->second, restart = 0xffffffffu >> (32 - 8 * component_bytes(type));
+        if (largest == restart && primitive.mode != gltf_triangles)
+            wrong(path + ".indices", "restarts its strip, which glTF forbids");
+        if (largest >= vertices)
+            wrong(path + ".indices",
+                  "holds vertex " + std::to_string(largest) + ", but there are " + std::to_string(vertices));
         return indices.count;
     }
 
     // glTF 2.0, 3.7.2.1, widened by KHR_mesh_quantization, whether the file names it or not.
-    void check_attribute(const std::string& name, const GltfAccessor& accessor, std::size_t vertices,
-                         const std::string& path) const {
+    void check_attribute(const std::string& name, int index, std::size_t vertices, const std::string& path) const {
+        const GltfAccessor& accessor = check_read_accessor(index, path);
+        const bool coordinates = name.rfind("TEXCOORD_", 0) == 0;
         if (name == "POSITION") {
             if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
         } else if (name == "NORMAL") {
             if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
+        } else if (coordinates) {
+            if (accessor.components != 2 || !is_small_or_float(accessor)) wrong(path, "is not a VEC2 of floats");
+        } else if (name == "COLOR_0") {
+            if ((accessor.components != 3 && accessor.components != 4) || !is_unsigned_or_float(accessor))
+                wrong(path, "is not a VEC3 or VEC4 of floats or normalized unsigned integers");
+        } else if (name.rfind("WEIGHTS_", 0) == 0) {
+            if (accessor.components != 4 || !is_unsigned_or_float(accessor))
+                wrong(path, "is not a VEC4 of floats or normalized unsigned integers");
+        } else if (name.rfind("JOINTS_", 0) == 0) {
+            if (accessor.components != 4 || accessor.normalized || accessor.component_type == gltf_float ||
+                !is_unsigned_or_float(accessor))
+                wrong(path, "is not a VEC4 of unsigned bytes or shorts");
         } else {
             return;  // not read
         }
         if (accessor.count != vertices)
             wrong(path, "holds " + std::to_string(accessor.count) + " elements for " + std::to_string(vertices) +
                             " vertices");
+        if (!finite.insert({index, coordinates}).second) return;
+        count_elements(accessor.count);
         for (std::size_t i = 0; i < accessor.count; ++i) {
             const glm::vec4 v = read_vector(file, accessor, i);
             if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z) || !std::isfinite(v.w))
                 wrong(path, "holds a number that is not finite at vertex " + std::to_string(i));
+            constexpr float furthest = 1e6f;  // beyond, floats have no texels to tell apart
+            if (coordinates && std::max(std::abs(v.x), std::abs(v.y)) > furthest)
+                wrong(path, "lies a million pictures away at vertex " + std::to_string(i));
         }
     }
 
@@ -205,9 +243,90 @@ struct Validator {
         return accessor.component_type == gltf_float || component_bytes(accessor.component_type) <= 2;
     }
 
+    static bool is_unsigned_or_float(const GltfAccessor& accessor) {
+        return accessor.component_type == gltf_float || accessor.component_type == gltf_unsigned_byte ||
+               accessor.component_type == gltf_unsigned_short;
+    }
+
+    void check_skin(std::size_t i) const {
+        const GltfSkin& skin = file.skins[i];
+        const std::string path = item("skins", i);
+        if (skin.joints.empty()) wrong(path + ".joints", "is empty");
+        for (const int joint : skin.joints) check_index(joint, file.nodes, path + ".joints", "nodes");
+        if (skin.inverse_bind_matrices < 0) return;
+        const GltfAccessor& matrices = check_read_accessor(skin.inverse_bind_matrices, path + ".inverseBindMatrices");
+        if (matrices.components != 16 || matrices.component_type != gltf_float)
+            wrong(path + ".inverseBindMatrices", "is not a MAT4 of floats");
+        if (matrices.count < skin.joints.size())
+            wrong(path + ".inverseBindMatrices", "holds " + std::to_string(matrices.count) + " matrices for " +
+                                                     std::to_string(skin.joints.size()) + " joints");
+        for (std::size_t joint = 0; joint < skin.joints.size(); ++joint)
+            for (std::size_t k = 0; k < 16; ++k)
+                if (!std::isfinite(read_float(file, matrices, joint, k)))
+                    wrong(path + ".inverseBindMatrices", "holds a number that is not finite");
+    }
+
+    std::uint32_t largest_joint(int index) const {
+        const auto [known, is_new] = largest_index.try_emplace(index, 0);
+        if (!is_new) return known->second;
+        const GltfAccessor& accessor = file.accessors[static_cast<std::size_t>(index)];
+        count_elements(accessor.count);
+        float largest = 0;
+        for (std::size_t i = 0; i < accessor.count; ++i) {
+            const glm::vec4 named = read_vector(file, accessor, i);
+            largest = std::max({largest, named.x, named.y, named.z, named.w});
+        }
+        return known->second = static_cast<std::uint32_t>(largest);
+    }
+
+    // Joints that a mesh's vertices name exist in the skin of each node that wears it.
+    void check_worn_skin(const GltfNode& node, const std::string& path) const {
+        check_optional_index(node.skin, file.skins, path + ".skin", "skins");
+        if (node.skin < 0 || node.mesh < 0) return;
+        const std::size_t joints = file.skins[static_cast<std::size_t>(node.skin)].joints.size();
+        for (const GltfPrimitive& primitive : file.meshes[static_cast<std::size_t>(node.mesh)].primitives)
+            for (const auto& [name, index] : primitive.attributes) {
+                if (name.rfind("JOINTS_", 0) != 0 || primitive.mode < gltf_triangles) continue;
+                const std::uint32_t largest = largest_joint(index);
+                if (largest >= joints)
+                    wrong(path, "wears a skin of " + std::to_string(joints) + " joints, but " + name + " names " +
+                                    std::to_string(largest));
+            }
+    }
+
+    void check_texture(std::size_t i) const {
+        const std::string path = item("textures", i);
+        check_optional_index(file.textures[i].source, file.images, path + ".source", "images");
+        check_optional_index(file.textures[i].sampler, file.samplers, path + ".sampler", "samplers");
+    }
+
+    void check_sampler(std::size_t i) const {
+        const GltfSampler& sampler = file.samplers[i];
+        const std::string path = item("samplers", i);
+        for (const int wrap : {sampler.wrap_s, sampler.wrap_t})
+            if (wrap != gltf_clamp && wrap != gltf_mirror && wrap != gltf_repeat)
+                wrong(path, "has the wrap mode " + std::to_string(wrap) + ", unknown");
+        if (sampler.mag_filter != -1 && sampler.mag_filter != gltf_nearest && sampler.mag_filter != gltf_linear)
+            wrong(path + ".magFilter", "is " + std::to_string(sampler.mag_filter) + ", unknown");
+    }
+
+    void check_use(const GltfTextureUse& use, const std::string& path) const {
+        check_optional_index(use.texture, file.textures, path + ".index", "textures");
+        constexpr double furthest = 1e6;  // beyond, floats have no texels to tell apart
+        for (std::size_t k = 0; k < 2; ++k) {
+            check_range(use.offset[k], -furthest, furthest, path + ".offset");
+            check_range(use.scale[k], -furthest, furthest, path + ".scale");
+        }
+        check_range(use.rotation, -furthest, furthest, path + ".rotation");
+    }
+
     void check_material(std::size_t i) const {
         const GltfMaterial& material = file.materials[i];
         const std::string path = item("materials", i);
+        check_use(material.base_color_texture, path + ".pbrMetallicRoughness.baseColorTexture");
+        check_use(material.metallic_roughness_texture, path + ".pbrMetallicRoughness.metallicRoughnessTexture");
+        check_use(material.emissive_texture, path + ".emissiveTexture");
+        check_range(material.alpha_cutoff, 0, 1e12, path + ".alphaCutoff");
         constexpr double brightest = 1e12;
         check_ranges(material.base_color, 4, 0, 1, path + ".pbrMetallicRoughness.baseColorFactor");
         check_ranges(material.emissive, 3, 0, brightest, path + ".emissiveFactor");
@@ -286,6 +405,7 @@ struct Validator {
             (node.matrix[3] != 0 || node.matrix[7] != 0 || node.matrix[11] != 0 || node.matrix[15] != 1))
             wrong(path + ".matrix", "does not end in the row 0 0 0 1");
         check_optional_numbers(node.scale, 3, path + ".scale");
+        check_worn_skin(node, path);
     }
 
     std::vector<int> parent_counts() const {
@@ -317,7 +437,7 @@ struct Validator {
         check_optional_index(file.scene, file.scenes, "scene", "scenes");
         const std::vector<int> parents = parent_counts();
         for (std::size_t i = 0; i < file.scenes.size(); ++i) {
-            std::vector<int> roots = file.scenes[i];
+            std::vector<int> roots = file.scenes[i].nodes;
             for (const int root : roots) {
                 check_index(root, file.nodes, item("scenes", i) + ".nodes", "nodes");
                 if (parents[static_cast<std::size_t>(root)] != 0)
@@ -337,7 +457,10 @@ void validate(const GltfFile& file, const std::string& where) {
     validator.check_extensions();
     for (std::size_t i = 0; i < file.buffer_views.size(); ++i) validator.check_buffer_view(i);
     for (std::size_t i = 0; i < file.accessors.size(); ++i) validator.check_accessor(i);
+    for (std::size_t i = 0; i < file.samplers.size(); ++i) validator.check_sampler(i);
+    for (std::size_t i = 0; i < file.textures.size(); ++i) validator.check_texture(i);
     for (std::size_t i = 0; i < file.materials.size(); ++i) validator.check_material(i);
+    for (std::size_t i = 0; i < file.skins.size(); ++i) validator.check_skin(i);
     for (std::size_t i = 0; i < file.cameras.size(); ++i) validator.check_camera(i);
     for (std::size_t i = 0; i < file.lights.size(); ++i) validator.check_light(i);
     for (std::size_t m = 0; m < file.meshes.size(); ++m)

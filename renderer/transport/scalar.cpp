@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/philox.h"
+#include "scene/albedo.h"
 #include "scene/lamp.h"
 #include "transport/deposit.h"
 
@@ -51,25 +52,35 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
     const float reference = largest(weight);
     ++sums.counts.photons;
     book(sums.ledger.emitted, weight);
+    bool direct = true, useful = false;
 
     for (std::uint32_t bounce = 0; bounce < bounce_limit; ++bounce) {
         Hit hit;
+        ray.meets_holes = true;
         rays_.intersect(std::span(&ray, 1), std::span(&hit, 1));
         ++sums.counts.rays;
         if (hit.escaped()) {
             book(sums.ledger.escaped, weight);
             return;
         }
+        if (hit.hole) {
+            // Light passes, and is filed as if the surface went on there: cells need not know how much of them is cut.
+            if (hit.chart != no_chart) deposit(tree_, {}, sums.bins, hit, std::span(&weight.x, 3), direct, replica);
+            ray.origin = hit.position;
+            ray.leaving = hit.triangle;
+            continue;
+        }
         ++sums.counts.bounces;
         if (hit.chart == no_chart) {
             book(sums.ledger.absorbed, weight);
             return;
         }
-        if (bounce == 0) ++sums.counts.useful;
-        deposit(tree_, {}, sums.bins, hit, std::span(&weight.x, 3), bounce == 0, replica);
+        if (!useful) ++sums.counts.useful;
+        useful = true;
+        deposit(tree_, {}, sums.bins, hit, std::span(&weight.x, 3), direct, replica);
 
         const Chart& chart = scene_.charts[hit.chart];
-        const glm::vec3 reflected = weight * nearest_lambert(scene_.materials[chart.material]);
+        const glm::vec3 reflected = weight * nearest_lambert_at(scene_, hit);
         if (!finite(reflected)) {
             ++sums.counts.trouble;
             book(sums.ledger.cut, weight);
@@ -91,12 +102,12 @@ void ScalarTransport::trace(std::uint64_t photon, WorkerSums& sums) const {
             weight = raised;
         }
 
-        const bool first = bounce == 0;
-        const float xi_radius = first ? emission_.sobol(photon, PhotonEmission::dimensions) : unit_float(random[1]);
-        const float xi_turn = first ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
+        const float xi_radius = direct ? emission_.sobol(photon, PhotonEmission::dimensions) : unit_float(random[1]);
+        const float xi_turn = direct ? emission_.sobol(photon, PhotonEmission::dimensions + 1) : unit_float(random[2]);
         ray.origin = hit.position;
         ray.direction = sample_cosine(chart.axis_u, chart.axis_v, chart.normal, xi_radius, xi_turn);
         ray.leaving = hit.triangle;
+        direct = false;
     }
     book(sums.ledger.cut, weight);
 }

@@ -45,7 +45,6 @@ class GltfBuilder {
     int add_view(const std::string& bytes);  ///< a bufferView of these bytes; its index
 
   private:
-
     std::string buffer_;
 };
 

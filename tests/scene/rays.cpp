@@ -166,7 +166,7 @@ TEST(Rays, GapsOfTJunctionsAreClosed) {
         const glm::vec3 b = scene.vertices[triangle.vertices[(words[1] + 1) % 3]];
         const glm::vec3 origin(0.01f, 0.02f, 0.03f);
         const Ray ray{origin, glm::normalize(a + unit_float(words[2]) * (b - a) - origin), no_triangle};
-        const auto all = [](std::uint32_t) { return true; };
+        const auto all = [](const TriangleHit&) { return true; };
         through += !nearest_exact(strict, ray.origin, ray.direction, all).met();
         const Hit hit = hit_of(rays, ray);
         ASSERT_FALSE(hit.escaped()) << i;

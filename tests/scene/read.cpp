@@ -188,6 +188,7 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
     file.json["meshes"][0]["primitives"].push_back(file.json["meshes"][0]["primitives"][0]);
     file.json["meshes"][0]["primitives"][1]["mode"] = 1;
     file.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+    file.json["meshes"][0]["weights"] = {0.5};
     file.json["cameras"] = {
         {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 1}}}}};
     file.add_node({{"name", "flat"}, {"camera", 0}});
@@ -205,13 +206,69 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
     EXPECT_EQ(scene.cameras[0].name, "fit");
 }
 
-TEST(Read, TexturesAreSaidAndNotOpened) {
+// Nothing to say of morph targets that are all at rest, nor of one scene.
+TEST(Read, WhatNeedsNoWordGetsNone) {
     GltfBuilder file = square();
-    file.json["images"] = {{{"uri", "nowhere.png"}}};
-    file.json["textures"] = {{{"source", 0}}};
-    file.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    file.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+    file.json["meshes"][0]["weights"] = {0};
+    EXPECT_TRUE(scene_of(file).warnings.empty());
+}
+
+TEST(Read, TheDefaultSceneOfSeveral) {
+    GltfBuilder file = square();
+    file.add_polygon("far", {{0, 0, 5}, {3, 0, 5}, {3, 1, 5}, {0, 1, 5}});
+    file.json["scenes"] = {{{"nodes", {0}}}, {{"name", "other"}, {"nodes", {1}}}};
+    file.json["scene"] = 1;
     const Scene scene = scene_of(file);
-    EXPECT_TRUE(warns_of(scene, "material \"grey\": baseColorTexture is not read"));
+    ASSERT_EQ(scene.charts.size(), 1u);
+    EXPECT_EQ(scene.charts[0].mesh, "far");
+    EXPECT_TRUE(warns_of(scene, "it holds 2 scenes; \"other\" is shown"));
+    file.json.erase("scene");
+    EXPECT_EQ(scene_of(file).charts[0].mesh, "square");
+    EXPECT_TRUE(warns_of(scene_of(file), "it holds 2 scenes; scene 0 is shown"));
+}
+
+TEST(Read, MaterialsOfOneNameAreToldApart) {
+    GltfBuilder file = square();
+    file.add_material("grey", {0.1, 0.1, 0.1});
+    const Scene scene = scene_of(file);
+    EXPECT_EQ(scene.materials[1].name, "grey 2");
+    EXPECT_TRUE(warns_of(scene, "material \"grey\" is there twice; the second is called \"grey 2\""));
+}
+
+TEST(Read, UnlitMaterialsAreLambert) {
+    GltfBuilder file = square();
+    file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_materials_unlit"};
+    file.json["materials"][0]["extensions"] = {{"KHR_materials_unlit", nlohmann::json::object()}};
+    const Scene scene = scene_of(file);
+    EXPECT_EQ(scene.materials[0].base, Base::lambert);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(warns_of(scene, "material \"grey\": it is unlit in the file; it is a Lambert surface"));
+}
+
+// Two joints, one of them turned: each vertex stands where its joint puts it, whatever its own node says.
+TEST(Read, SkinsStandAsTheirJointsDo) {
+    GltfBuilder file = square();
+    file.json["nodes"][0]["translation"] = {100, 100, 100};
+    file.json["nodes"][0]["skin"] = 0;
+    file.add_node({{"name", "still"}});
+    file.add_node({{"name", "moved"}, {"translation", {0, 2, 0}}});
+    // Joint 1 was bound one up: its inverse bind matrix moves one down.
+    const std::vector<float> matrices = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
+                                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1};
+    const int bind = file.add_accessor(bytes_of(matrices), "MAT4", 5126, 2);
+    file.json["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", bind}}};
+    const std::vector<std::uint8_t> joints = {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0};
+    const std::vector<float> weights = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0};
+    auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = file.add_accessor(bytes_of(joints), "VEC4", 5121, 4);
+    attributes["WEIGHTS_0"] = file.add_accessor(bytes_of(weights), "VEC4", 5126, 4);
+    const Scene scene = scene_of(file);
+    // (0, 0), (1, 0), (1, 1 + 1), (0, 1 + 1/2): a trapezium.
+    ASSERT_EQ(scene.charts.size(), 1u);
+    EXPECT_NEAR(scene.charts[0].area, 1.75, 1e-6);
+    expect_near(in_file(scene, scene.high), {1, 2, 0});
+    EXPECT_TRUE(warns_of(scene, "mesh \"square\": its skin is not animated; it stands as its joints do in the file"));
 }
 
 TEST(Read, TrianglesWithoutAreaAreCounted) {

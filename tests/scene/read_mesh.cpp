@@ -25,7 +25,7 @@ GltfFile parsed(const GltfBuilder& builder) {
 
 PlacedPrimitive placed(const GltfBuilder& builder, const glm::dmat4& to_world = glm::dmat4(1.0)) {
     const GltfFile file = parsed(builder);
-    return place_primitive(file, file.meshes[0].primitives[0], to_world);
+    return place_primitive(file, file.meshes[0].primitives[0], {to_world, {}}, 0);
 }
 
 // An octahedron about the origin with its corners' directions as normals.
@@ -166,7 +166,7 @@ TEST(ReadMesh, CanonicalSpheresAreSmooth) {
     validate(file, "spheres");
     int spheres = 0;
     for (const GltfMesh& mesh : file.meshes) {
-        const PlacedPrimitive part = place_primitive(file, mesh.primitives[0], glm::dmat4(1.0));
+        const PlacedPrimitive part = place_primitive(file, mesh.primitives[0], {}, 0);
         if (mesh.name.rfind("sphere", 0) != 0) {
             EXPECT_TRUE(part.normals.empty()) << mesh.name;
             continue;
