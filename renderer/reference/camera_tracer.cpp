@@ -65,8 +65,7 @@ void add_lamps(EyePath<components>& path, const Surroundings& surroundings, Path
     if (!light) return;
     const double cosine = dot(light->direction, vertex.shading_normal);
     if (cosine <= 0 || dot(light->direction, vertex.normal) <= 0) return;
-    const auto value =
-        evaluate_bsdf<Use::eye, bands>(*vertex.material, -light->direction, -path.direction, vertex.shading_normal);
+    const auto value = evaluate_at<Use::eye>(vertex, -light->direction, -path.direction);
     const auto dark = [](const LobeValue<double, bands>& lobe) { return bsdf_detail::band_mean(lobe.value) <= 0; };
     if ((!base || dark(value.base)) && (!gloss || dark(value.gloss))) return;
     if (!surroundings.reaches(vertex, *light)) return;
@@ -106,8 +105,7 @@ void add_discs(EyePath<components>& path, const Surroundings& surroundings) {
 template <int components>
 bool go_on(EyePath<components>& path, const Vertex& vertex, const BounceNumbers& numbers, PathClasses classes,
            bool roulette) {
-    const SurfacePoint<double> at{-path.direction, path.axis, vertex.shading_normal, vertex.inside};
-    const auto sample = sample_bsdf<Use::eye, bands>(*vertex.material, at, numbers.scatter);
+    const auto sample = sample_at<Use::eye>(vertex, -path.direction, path.axis, numbers.scatter);
     if (!sample.alive) return false;
     // A shading normal can point a ray to the wrong side of the facet; it is absorbed there.
     if ((dot(sample.direction, vertex.normal) > 0) == sample.refracted) return false;

@@ -70,8 +70,7 @@ Photon<components> PhotonSource::emit(const PathRandom& random) const {
 
 template <int components>
 std::optional<Event> scatter(Photon<components>& photon, const Vertex& vertex, const BounceNumbers& numbers) {
-    const SurfacePoint<double> at{-photon.direction, photon.axis, vertex.shading_normal, vertex.inside};
-    const auto sample = sample_bsdf<Use::light, band_count>(*vertex.material, at, numbers.scatter);
+    const auto sample = sample_at<Use::light>(vertex, -photon.direction, photon.axis, numbers.scatter);
     if (!sample.alive) return {};
     // A shading normal can point a photon to the wrong side of the facet; it is absorbed there.
     if ((dot(sample.direction, vertex.normal) > 0) == sample.refracted) return {};

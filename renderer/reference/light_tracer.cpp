@@ -55,8 +55,7 @@ void LightTracer::connect(const Photon<components>& photon, const LightPathClass
     const double cos_out = dot(out, vertex.shading_normal);
     if (cos_out <= 0 || dot(out, vertex.normal) <= 0) return;
     const double correction = shading_normal_correction(photon.direction, out, vertex.shading_normal, vertex.normal);
-    const auto value =
-        evaluate_bsdf<Use::light, band_count>(*vertex.material, photon.direction, out, vertex.shading_normal);
+    const auto value = evaluate_at<Use::light>(vertex, photon.direction, out);
     const auto dark = [](const LobeValue<double, band_count>& lobe) { return bsdf_detail::band_mean(lobe.value) <= 0; };
     if ((!base || dark(value.base)) && (!gloss || dark(value.gloss))) return;
     if (!surroundings_.seen_from(eye, vertex)) return;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "scene/albedo.h"
+
 namespace brewster {
 namespace {
 
@@ -30,6 +32,13 @@ Surroundings::Met Surroundings::met_by(const Hit& hit) const {
     vertex.inside = vertex.material->base == Base::transparent && !vertex.material->thin &&
                     hit.chart == scene.triangles[hit.triangle].back_chart;
     vertex.distance = static_cast<double>(hit.distance);
+    vertex.tinted = vertex.material->diffuse() &&
+                    (!scene.vertex_colors.empty() || scene.materials[chart.material].texture != no_texture);
+    if (vertex.tinted) {
+        const glm::vec4 tint = tint_at(scene, hit.triangle, hit.b1, hit.b2);
+        for (std::size_t band = 0; band < band_count; ++band)
+            vertex.tint[band] = vertex.material->tinted_base(band, static_cast<double>(tint[static_cast<int>(band)]));
+    }
     return {false, vertex};
 }
 

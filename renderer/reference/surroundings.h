@@ -17,7 +17,32 @@ struct Vertex {
     std::uint32_t chart = no_chart, triangle = no_triangle;
     bool inside = false;  ///< of a closed transparent body, whose skin was hit
     double distance = 0;
+    bool tinted = false;  ///< by a texture or the corners' colours: the base lobe is multiplied by `tint`
+    std::array<double, band_count> tint = {1, 1, 1};
 };
+
+/// sample_bsdf at a vertex, where a path arrives from `towards`.
+template <Use use>
+ScatterSample<double, band_count> sample_at(const Vertex& vertex, const Vector<double>& towards,
+                                            const Vector<double>& carried_axis, const ScatterNumbers<double>& numbers) {
+    auto sample = sample_bsdf<use, band_count>(
+        *vertex.material, SurfacePoint<double>{towards, carried_axis, vertex.shading_normal, vertex.inside}, numbers);
+    if (vertex.tinted && sample.base)
+        for (std::size_t band = 0; band < band_count; ++band)
+            sample.weight[band] = vertex.tint[band] * sample.weight[band];
+    return sample;
+}
+
+/// evaluate_bsdf at a vertex.
+template <Use use>
+BsdfValue<double, band_count> evaluate_at(const Vertex& vertex, const Vector<double>& light_in,
+                                          const Vector<double>& light_out) {
+    auto value = evaluate_bsdf<use, band_count>(*vertex.material, light_in, light_out, vertex.shading_normal);
+    if (vertex.tinted && value.has_base)
+        for (std::size_t band = 0; band < band_count; ++band)
+            value.base.value[band] = vertex.tint[band] * value.base.value[band];
+    return value;
+}
 
 /// A scene made ready for following single paths. Constant, so any number of threads may ask.
 class Surroundings {
