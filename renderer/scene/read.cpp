@@ -26,7 +26,7 @@
 namespace brewster {
 namespace {
 
-constexpr std::size_t most_triangles = 50'000'000;            // beyond, the ray tree alone takes gigabytes
+constexpr std::size_t most_triangles = 10'000'000;            // half a kilobyte each, once they are charts
 constexpr double smallest_scene = 1e-5, largest_scene = 1e8;  // metres; areas and powers stay well inside floats
 
 struct PlacedNode {
@@ -127,6 +127,7 @@ class Reader {
     }
 
     Scene read() {
+        count_triangles();
         warn_of_the_unread();
         read_materials();
         for (const PlacedNode& node : nodes_) place_mesh(node);
@@ -213,7 +214,6 @@ class Reader {
                 other_modes = true;
                 continue;
             }
-            count_triangles(primitive);
             MeshPart part{placed.index, name, mesh.name, 0, {}};
             part.material =
                 primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
@@ -241,12 +241,19 @@ class Reader {
                  "around them stands in");
     }
 
-    // A small file may place a mesh many times.
-    void count_triangles(const GltfPrimitive& primitive) {
-        triangle_count_ += triangle_count(file_, primitive);
-        if (triangle_count_ > most_triangles)
-            throw Error("it has more than " + std::to_string(most_triangles / 1'000'000) + " million triangles", where_,
-                        "simplify its meshes");
+    // Before any is placed: a small file may place a mesh many times.
+    void count_triangles() const {
+        std::size_t count = 0;
+        for (const PlacedNode& placed : nodes_) {
+            const int mesh = file_.nodes[placed.index].mesh;
+            if (mesh < 0) continue;
+            for (const GltfPrimitive& primitive : file_.meshes[static_cast<std::size_t>(mesh)].primitives)
+                count += triangle_count(file_, primitive);
+        }
+        if (count > most_triangles)
+            throw Error("it has " + std::to_string(count) + " triangles, more than " +
+                            std::to_string(most_triangles / 1'000'000) + " million",
+                        where_, "simplify its meshes");
     }
 
     const GltfTextureUse& base_use(std::uint32_t material) const {
@@ -399,7 +406,6 @@ class Reader {
     TextureReader textures_;
     std::vector<MeshPart> parts_;
     std::set<int> said_meshes_;  // of which everything was said at their first node
-    std::size_t triangle_count_ = 0;
     std::uint32_t default_material_ = no_chart;
 };
 

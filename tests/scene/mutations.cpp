@@ -148,6 +148,17 @@ const std::vector<Mutation>& mutations() {
              f["accessors"][0]["count"] = 100000000;
          },
          "\"accessors[0].count\" is 100000000 without a bufferView, too large"},
+        {"ManyCopies",
+         [](J& f) {
+             f["accessors"][0].erase("bufferView");
+             f["accessors"][0]["count"] = 3999999;
+             f["meshes"][0]["primitives"][0].erase("indices");
+             for (std::size_t i = 3; i < 11; ++i) {
+                 f["nodes"].push_back({{"mesh", 0}});
+                 f["scenes"][0]["nodes"].push_back(i);
+             }
+         },
+         "it has 11999997 triangles, more than 10 million"},
         {"NormalsInPairs", [](J& f) { add_normals(f)["type"] = "VEC2"; },
          "attributes.NORMAL\" is not a VEC3 of floats"},
         {"NormalsOfOtherCount", [](J& f) { add_normals(f)["count"] = 3; },
