@@ -19,7 +19,7 @@ struct Part {
 };
 
 /// Adds a part's vertices and triangles to the scene, plane by plane, each with a front chart and, if the material is
-/// double-sided, a back chart. Facets of curved meshes become charts of their own; patches of several facets are not
+/// double-sided or transparent, a back chart. Facets of curved meshes become charts of their own; patches of several facets are not
 /// made yet. Triangles without area are left out; their number is returned.
 std::size_t add_surfaces(Scene& scene, const Part& part);
 
