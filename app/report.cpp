@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/material_summary.h"
 #include "app/scene_summary.h"
 
 namespace brewster {
@@ -61,7 +62,50 @@ Json solve_object(const SolveResult& result) {
 }
 
 Json lamp_object(const Lamp& lamp) {
-    return {{"name", lamp.name}, {"kind", lamp_kind_name(lamp.kind)}, {"power", list_of(lamp.power)}};
+    return {{"name", lamp.name},
+            {"kind", lamp_kind_name(lamp.kind)},
+            {"power", list_of(lamp.power)},
+            {"power_unit", "lm"},
+            {"intensity", list_of(lamp.intensity)},
+            {"intensity_unit", lamp_intensity_unit(lamp.kind)},
+            {"polarization", list_of(lamp.polarization)}};
+}
+
+// Angles in degrees, lengths in micrometres.
+Json material_object(const Scene& scene, const Material& material) {
+    const auto [yes, why] = polarizes(material);
+    Json object = {{"name", material.name},
+                   {"description", described(scene, material)},
+                   {"polarizes", yes},
+                   {"because", why},
+                   {"base", base_name(material.base)},
+                   {"albedo", list_of(material.albedo)},
+                   {"interface", interface_name(material.interface.kind)},
+                   {"emission", list_of(material.emission)},
+                   {"double_sided", material.double_sided}};
+    if (material.interface.present()) {
+        object["n"] = list_of(material.interface.n);
+        object["k"] = list_of(material.interface.k);
+        object["finish"] = finish_name(material.interface.finish);
+        object["m"] = material.interface.slope;
+    }
+    if (material.interface.finish == Finish::kirchhoff) {
+        object["rms_height"] = material.interface.rms_height;
+        object["correlation_length"] = material.interface.correlation_length;
+    }
+    if (material.base == Base::transparent) object["thin"] = material.thin;
+    if (material.filter.kind != FilterKind::none) {
+        object["filter"] = material.filter.kind == FilterKind::polarizer ? "polarizer" : "retarder";
+        object["filter_angle"] = degrees(static_cast<double>(material.filter.angle));
+        object["retardance"] = list_of(static_cast<float>(degrees(1.0)) * material.filter.retardance);
+    }
+    if (material.texture != no_texture) {
+        const SurfaceTexture& texture = scene.textures[material.texture];
+        object["texture"] = {
+            {"width", texture.width}, {"height", texture.height}, {"mean", list_of(glm::dvec3(texture_mean(texture)))}};
+    }
+    if (material.alpha_cutoff > 0) object["alpha_cutoff"] = material.alpha_cutoff;
+    return object;
 }
 
 Json camera_object(const Scene& scene, const Camera& camera) {
@@ -132,12 +176,7 @@ std::string shot_report(const SolveResult& result, double exposure, const std::v
 
 std::string info_report(const Scene& scene) {
     Json materials = Json::array(), lamps = Json::array(), cameras = Json::array(), charts = Json::array();
-    for (const Material& material : scene.materials) {
-        materials.push_back({{"name", material.name},
-                             {"albedo", list_of(material.albedo)},
-                             {"emission", list_of(material.emission)},
-                             {"double_sided", material.double_sided}});
-    }
+    for (const Material& material : scene.materials) materials.push_back(material_object(scene, material));
     for (const Lamp& lamp : scene.lamps) lamps.push_back(lamp_object(lamp));
     for (const Camera& camera : scene.cameras) cameras.push_back(camera_object(scene, camera));
     for (const Chart& chart : scene.charts) charts.push_back(chart_object(scene, chart));
@@ -150,6 +189,24 @@ std::string info_report(const Scene& scene) {
                     {"cameras", cameras},
                     {"charts", charts},
                     {"warnings", scene.warnings}});
+}
+
+std::string reference_report(const ReferenceResult& result) {
+    Json mean = Json::array(), error = Json::array();
+    for (const PictureMean& band : result.mean) {
+        mean.push_back(band.mean);
+        error.push_back(band.standard_error);
+    }
+    return text_of({{"scene", result.scene},
+                    {"camera", result.camera},
+                    {"polarization", result.polarized},
+                    {"seed", result.seed},
+                    {"samples", result.samples},
+                    {"photons", result.photons},
+                    {"seconds", result.seconds},
+                    {"mean_radiance", mean},
+                    {"mean_radiance_standard_error", error},
+                    {"path", result.path}});
 }
 
 std::string compare_report(const PictureDifference& difference) {

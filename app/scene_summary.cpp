@@ -1,7 +1,10 @@
 #include "app/scene_summary.h"
 
+#include <algorithm>
+#include <map>
 #include <vector>
 
+#include "app/material_summary.h"
 #include "app/numbers.h"
 #include "base/units.h"
 
@@ -26,18 +29,12 @@ double area_of(const Scene& scene, std::uint32_t material) {
     return area;
 }
 
-std::string described(const Material& material) {
-    std::string text = "Lambert, albedo " + listed(material.albedo);
-    if (material.emits()) text += ", emits " + listed(material.emission) + " cd/m2";
-    if (material.double_sided) text += ", both sides";
-    return text;
-}
-
 std::string described(const Lamp& lamp) {
     std::string text(lamp_kind_name(lamp.kind));
     text += ", " + listed(lamp.power) + " lm";
     switch (lamp.kind) {
         case LampKind::area:
+            text += ", " + listed(lamp.intensity) + " cd/m2";
             break;
         case LampKind::sun:
             text += ", " + listed(lamp.intensity) + " lx across the beam";
@@ -46,6 +43,53 @@ std::string described(const Lamp& lamp) {
         case LampKind::spot:
             text += ", " + listed(lamp.intensity) + " cd on its axis";
             break;
+    }
+    if (lamp.polarization != glm::vec3(0.0f)) text += ", polarized: S1 S2 S3 " + listed(lamp.polarization);
+    return text;
+}
+
+// A glowing mesh is one line, with the power of all its charts.
+std::string lamp_lines(const Scene& scene) {
+    std::vector<std::pair<Lamp, std::size_t>> sums;
+    for (const Lamp& lamp : scene.lamps) {
+        if (!sums.empty() && lamp.kind == LampKind::area && sums.back().first.kind == LampKind::area &&
+            lamp.name == sums.back().first.name && lamp.intensity == sums.back().first.intensity) {
+            sums.back().first.power += lamp.power;
+            ++sums.back().second;
+        } else {
+            sums.emplace_back(lamp, 1);
+        }
+    }
+    std::string text;
+    for (const auto& [lamp, charts] : sums)
+        text += "  " + lamp.name + ": " + described(lamp) + (charts > 1 ? ", " + counted(charts, "chart") : "") + "\n";
+    return text;
+}
+
+// Charts of one mesh and material together: a curved mesh has thousands.
+std::string chart_lines(const Scene& scene) {
+    struct Sum {
+        std::size_t charts = 0, triangles = 0;
+        double area = 0;
+        float largest = 0;
+    };
+    std::vector<std::pair<std::string, std::uint32_t>> order;
+    std::map<std::pair<std::string, std::uint32_t>, Sum> sums;
+    for (const Chart& chart : scene.charts) {
+        const std::pair<std::string, std::uint32_t> key(chart.mesh, chart.material);
+        Sum& sum = sums[key];
+        if (sum.charts == 0) order.push_back(key);
+        ++sum.charts;
+        sum.triangles += chart.triangle_count;
+        sum.area += chart.area;
+        sum.largest = std::max(sum.largest, chart.size());
+    }
+    std::string text;
+    for (const auto& key : order) {
+        const Sum& sum = sums[key];
+        text += "  " + key.first + ": " + scene.materials[key.second].name + ", " + counted(sum.charts, "chart") +
+                " of " + counted(sum.triangles, "triangle") + ", " + significant(sum.area) + " m2, at most " +
+                significant(static_cast<double>(sum.largest)) + " m long\n";
     }
     return text;
 }
@@ -66,6 +110,19 @@ std::string_view lamp_kind_name(LampKind kind) {
     return "";
 }
 
+std::string_view lamp_intensity_unit(LampKind kind) {
+    switch (kind) {
+        case LampKind::area:
+            return "cd/m2";
+        case LampKind::sun:
+            return "lx";
+        case LampKind::point:
+        case LampKind::spot:
+            return "cd";
+    }
+    return "";
+}
+
 std::string scene_summary(const Scene& scene) {
     std::string text = scene.name + ": " + counted(scene.triangles.size(), "triangle") + " on " +
                        counted(scene.charts.size(), "chart") + ", " + listed(scene.high - scene.low) + " m\n";
@@ -73,10 +130,13 @@ std::string scene_summary(const Scene& scene) {
     text += "\nMaterials (red green blue)\n";
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
         const Material& material = scene.materials[i];
-        text += "  " + material.name + ": " + described(material) + ", on " + significant(area_of(scene, i)) + " m2\n";
+        text += "  " + material.name + ": " + described(scene, material) + ", on " + significant(area_of(scene, i)) +
+                " m2\n";
+        const auto [yes, why] = polarizes(material);
+        text += std::string("    polarizes: ") + (yes ? "yes" : "no") + ", because " + why + "\n";
     }
     text += "\nLamps\n";
-    for (const Lamp& lamp : scene.lamps) text += "  " + lamp.name + ": " + described(lamp) + "\n";
+    text += lamp_lines(scene);
     if (scene.lamps.empty()) text += "  none: nothing to trace\n";
     text += "\nCameras\n";
     for (const Camera& camera : scene.cameras) {
@@ -84,12 +144,7 @@ std::string scene_summary(const Scene& scene) {
                 listed(camera.forward) + ", " +
                 significant(degrees(static_cast<double>(camera.vertical_field_of_view))) + " degrees high\n";
     }
-    text += "\nCharts\n";
-    for (const Chart& chart : scene.charts) {
-        text += "  " + chart.mesh + ": " + scene.materials[chart.material].name + ", " +
-                significant(static_cast<double>(chart.size_u)) + " x " +
-                significant(static_cast<double>(chart.size_v)) + " m, " + significant(chart.area) + " m2\n";
-    }
+    text += "\nCharts (both sides of a double-sided surface count)\n" + chart_lines(scene);
     text += "\nNot simulated or mended\n";
     for (const std::string& warning : scene.warnings) text += "  " + warning + "\n";
     if (scene.warnings.empty()) text += "  nothing\n";

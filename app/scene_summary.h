@@ -7,6 +7,7 @@
 namespace brewster {
 
 std::string_view lamp_kind_name(LampKind kind);
+std::string_view lamp_intensity_unit(LampKind kind);
 
 /// What a scene holds, for people: sizes, materials, lamps with their power, cameras, what is not simulated.
 std::string scene_summary(const Scene& scene);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <memory>
 
+#include "image/jpeg.h"
+
 namespace {
 
 // Bytes that one allocation of the decoder may have: a small file can unpack to a thousand times its size.
@@ -23,7 +25,6 @@ void* bounded_reallocate(void* old, std::size_t bytes) {
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_MALLOC(bytes) bounded_allocate(bytes)
 #define STBI_REALLOC(old, bytes) bounded_reallocate(old, bytes)
@@ -42,14 +43,19 @@ namespace {
 
 constexpr std::size_t least_room = std::size_t{1} << 20;
 
+bool is_jpeg(std::span<const unsigned char> encoded) {
+    return encoded.size() > 2 && encoded[0] == 0xff && encoded[1] == 0xd8;
+}
+
 bool too_long(std::span<const unsigned char> encoded) {
     return encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max());
 }
 
 }  // namespace
 
-std::optional<PictureSize> encoded_size(std::span<const unsigned char> encoded) {
-    PictureSize size;
+std::optional<EncodedSize> encoded_size(std::span<const unsigned char> encoded) {
+    if (is_jpeg(encoded)) return jpeg_size(encoded);
+    EncodedSize size;
     int channels = 0;
     most_bytes = least_room;
     if (too_long(encoded) ||
@@ -59,7 +65,8 @@ std::optional<PictureSize> encoded_size(std::span<const unsigned char> encoded) 
 }
 
 std::optional<std::vector<std::uint8_t>> decode_rgba(std::span<const unsigned char> encoded) {
-    const std::optional<PictureSize> size = encoded_size(encoded);
+    if (is_jpeg(encoded)) return decode_jpeg(encoded);
+    const std::optional<EncodedSize> size = encoded_size(encoded);
     if (!size) return {};
     most_bytes = least_room + 16 * size->texels();  // 8 bytes a pixel of 16-bit RGBA, and the next power of two
     int width = 0, height = 0, channels = 0;

@@ -47,7 +47,7 @@ ScreenImage read_png(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Error(std::string("cannot be read, ") + std::strerror(errno), path, advice);
     const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    const std::optional<PictureSize> size = encoded_size(bytes);
+    const std::optional<EncodedSize> size = encoded_size(bytes);
     std::optional<std::vector<std::uint8_t>> rgba = decode_rgba(bytes);
     if (!size || !rgba) throw Error("cannot be read, its bytes are no picture", path, advice);
     return {size->width, size->height, std::move(*rgba)};

@@ -76,6 +76,13 @@ std::string one_sentence(std::string text) {
     return text;
 }
 
+// The parser wants a property of skins that glTF 2.0 leaves out for identity, but goes on without it.
+std::string without_skin_complaints(std::string faults) {
+    constexpr std::string_view complaint = "'inverseBindMatrices' property is missing in Skin.\n";
+    for (std::size_t at; (at = faults.find(complaint)) != std::string::npos;) faults.erase(at, complaint.size());
+    return faults;
+}
+
 // The JSON chunk of a .glb file: 12 bytes of header, length, "JSON".
 std::string_view json_chunk(std::span<const unsigned char> bytes, const std::string& where) {
     std::uint32_t length = 0;
@@ -314,6 +321,7 @@ GltfFile parse_gltf(std::span<const unsigned char> bytes, const fs::path& folder
     } catch (const std::exception& fault) {
         faults += fault.what();
     }
+    faults = without_skin_complaints(std::move(faults));
     if (!allowed.refused.empty())
         throw Error("it names \"" + allowed.refused + "\", which is not below its own folder", where,
                     "move that file beside it");

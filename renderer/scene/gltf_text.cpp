@@ -1,11 +1,13 @@
 #include "scene/gltf_text.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.h"
+#include "scene/uri.h"
 
 namespace brewster {
 namespace {
@@ -236,12 +238,20 @@ class Checker {
                 return;
             case Kind::string:
                 if (!value.is_string()) wrong(path, "is not a string");
+                if (path.size() > 4 && path.compare(path.size() - 4, 4, ".uri") == 0) check_uri(value);
                 return;
             case Kind::indices:
                 if (!value.is_array()) wrong(path, "is not a list");
                 for (const json& index : value) check_kind(index, path, Kind::index);
                 return;
         }
+    }
+
+    void check_uri(const std::string& uri) const {
+        constexpr std::size_t longest_name = 200;
+        if (!stays_below(uri))
+            throw Error("it names \"" + uri.substr(0, longest_name) + "\", which is not below its own folder", where_,
+                        "move that file beside it");
     }
 
     void check_integer(const json& value, const std::string& path, std::int64_t largest) const {
@@ -257,15 +267,31 @@ class Checker {
     const std::string& where_;
 };
 
+// Levels of lists and objects. The parser's own count would look at every list anew for each of its items.
+int depth_of(std::string_view text) {
+    int depth = 0, most = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\') ++i;
+            if (c == '"') in_string = false;
+            continue;
+        }
+        if (c == '"') in_string = true;
+        if (c == '[' || c == '{') most = std::max(most, ++depth);
+        if (c == ']' || c == '}') --depth;
+    }
+    return most;
+}
+
 }  // namespace
 
 void check_gltf_text(std::string_view text, const std::string& where) {
+    if (depth_of(text) > deepest) throw Error("its JSON is more than 64 levels deep", where, repair);
     json root;
     try {
-        root = json::parse(text, [&](int depth, json::parse_event_t, json&) {
-            if (depth > deepest) throw Error("its JSON is more than 64 levels deep", where, repair);
-            return true;
-        });
+        root = json::parse(text);
     } catch (const json::exception& fault) {
         throw Error(std::string("its JSON is broken (") + fault.what() + ")", where, repair);
     }

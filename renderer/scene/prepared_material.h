@@ -29,6 +29,7 @@ class PreparedMaterial {
     /// Of the base: rho/(pi n^2 (1 - rho Fi)), 1/sr, and its share of entered power that leaves again.
     std::array<float, band_count> base_factor{}, base_survival{};
     std::array<float, band_count> external_reflectance{};  ///< Fe
+    std::array<float, band_count> inner_return{};          ///< rho Fi: what one bounce inside the base brings back
     glm::vec3 emission{0.0f};                              ///< cd/m2, unpolarized, the same in all directions
 
     bool rough() const { return finish != Finish::smooth; }
@@ -38,6 +39,14 @@ class PreparedMaterial {
     bool sharp() const { return !diffuse() && !rough(); }
     /// Can reflect at the interface.
     bool reflects() const { return interface != InterfaceKind::none; }
+
+    /// What the base lobe is multiplied by where a texture or the corners' colours multiply the albedo by `tint` in
+    /// [0, 1]: the ratio of rho/(1 - rho Fi) there and here. The lobe's densities stay those of the material.
+    template <class Real>
+    Real tinted_base(std::size_t band, const Real& tint) const {
+        const Real returned(inner_return[band]);
+        return tint * (1 - returned) / (1 - tint * returned);
+    }
 
     const OrderRules& rules() const { return *rules_; }
 

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <set>
 #include <tuple>
@@ -18,6 +17,7 @@
 #include "scene/read_lamp.h"
 #include "scene/read_material.h"
 #include "scene/read_mesh.h"
+#include "scene/read_nodes.h"
 #include "scene/read_textures.h"
 #include "scene/scene.h"
 #include "scene/surfaces.h"
@@ -26,14 +26,8 @@
 namespace brewster {
 namespace {
 
-constexpr std::size_t most_triangles = 50'000'000;  // beyond, the ray tree alone takes gigabytes
-constexpr std::size_t most_vertices = 400'000'000;
+constexpr std::size_t most_triangles = 10'000'000;            // half a kilobyte each, once they are charts
 constexpr double smallest_scene = 1e-5, largest_scene = 1e8;  // metres; areas and powers stay well inside floats
-
-struct PlacedNode {
-    std::size_t index;
-    glm::dmat4 to_world;
-};
 
 // A primitive and whose it is.
 struct MeshPart {
@@ -60,57 +54,6 @@ struct Look {
     }
 };
 
-glm::dmat4 local_transform(const GltfNode& node) {
-    glm::dmat4 transform(1.0);
-    if (!node.matrix.empty()) {
-        for (int i = 0; i < 16; ++i) transform[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-        return transform;
-    }
-    if (!node.rotation.empty())
-        transform = glm::mat4_cast(
-            glm::normalize(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])));
-    if (!node.scale.empty())
-        for (int k = 0; k < 3; ++k) transform[k] *= node.scale[static_cast<std::size_t>(k)];
-    if (!node.translation.empty())
-        transform[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
-    return transform;
-}
-
-std::vector<int> nodes_without_parent(const GltfFile& file) {
-    std::vector<bool> is_child(file.nodes.size(), false);
-    for (const GltfNode& node : file.nodes)
-        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < file.nodes.size(); ++i)
-        if (!is_child[i]) roots.push_back(static_cast<int>(i));
-    return roots;
-}
-
-// Nodes below these roots, parents first.
-std::vector<PlacedNode> nodes_below(const GltfFile& file, const std::vector<int>& roots) {
-    std::vector<PlacedNode> nodes;
-    for (const int root : roots) nodes.push_back({static_cast<std::size_t>(root), glm::dmat4(1.0)});
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const GltfNode& node = file.nodes[nodes[i].index];
-        nodes[i].to_world = nodes[i].to_world * local_transform(node);
-        for (const int child : node.children) nodes.push_back({static_cast<std::size_t>(child), nodes[i].to_world});
-    }
-    return nodes;
-}
-
-// By index; joints may stand outside the file's scene.
-std::vector<glm::dmat4> world_transforms(const GltfFile& file) {
-    std::vector<glm::dmat4> transforms(file.nodes.size());
-    for (const PlacedNode& node : nodes_below(file, nodes_without_parent(file))) transforms[node.index] = node.to_world;
-    return transforms;
-}
-
-// The nodes of the file's scene, or of all if it has none, parents first.
-std::vector<PlacedNode> placed_nodes(const GltfFile& file) {
-    if (file.scenes.empty()) return nodes_below(file, nodes_without_parent(file));
-    return nodes_below(file, file.scenes[static_cast<std::size_t>(std::max(file.scene, 0))].nodes);
-}
-
 std::string first_name(const std::string& node, const std::string& own, const std::string& kind, std::size_t index) {
     if (!node.empty()) return node;
     return own.empty() ? kind + " " + std::to_string(index) : own;
@@ -128,6 +71,7 @@ class Reader {
     }
 
     Scene read() {
+        count_triangles();
         warn_of_the_unread();
         read_materials();
         for (const PlacedNode& node : nodes_) place_mesh(node);
@@ -214,7 +158,6 @@ class Reader {
                 other_modes = true;
                 continue;
             }
-            count_work(primitive);
             MeshPart part{placed.index, name, mesh.name, 0, {}};
             part.material =
                 primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
@@ -227,6 +170,7 @@ class Reader {
             mended_normals += part.placed.mended_normals;
             if (!part.placed.triangles.empty()) parts_.push_back(std::move(part));
         }
+        if (!said_meshes_.insert(node.mesh).second) return;
         const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
         if (morphs && std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }))
             warn(subject + "its morph targets are not read; it stands in its rest pose");
@@ -241,15 +185,18 @@ class Reader {
                  "around them stands in");
     }
 
-    // What placing costs, so that a small file cannot ask for more than a large one may.
-    void count_work(const GltfPrimitive& primitive) {
-        triangle_count_ += triangle_count(file_, primitive);
-        if (triangle_count_ > most_triangles)
-            throw Error("it has more than " + std::to_string(most_triangles / 1'000'000) + " million triangles", where_,
-                        "simplify its meshes");
-        placed_vertices_ += file_.accessors[static_cast<std::size_t>(primitive.attributes.at("POSITION"))].count;
-        if (placed_vertices_ > most_vertices)
-            throw Error("its nodes place more than " + std::to_string(most_vertices / 1'000'000) + " million vertices",
+    // Before any is placed: a small file may place a mesh many times.
+    void count_triangles() const {
+        std::size_t count = 0;
+        for (const PlacedNode& placed : nodes_) {
+            const int mesh = file_.nodes[placed.index].mesh;
+            if (mesh < 0) continue;
+            for (const GltfPrimitive& primitive : file_.meshes[static_cast<std::size_t>(mesh)].primitives)
+                count += triangle_count(file_, primitive);
+        }
+        if (count > most_triangles)
+            throw Error("it has " + std::to_string(count) + " triangles, more than " +
+                            std::to_string(most_triangles / 1'000'000) + " million",
                         where_, "simplify its meshes");
     }
 
@@ -402,7 +349,7 @@ class Reader {
     std::vector<glm::dmat4> world_transforms_;  // of all nodes
     TextureReader textures_;
     std::vector<MeshPart> parts_;
-    std::size_t triangle_count_ = 0, placed_vertices_ = 0;
+    std::set<int> said_meshes_;  // of which everything was said at their first node
     std::uint32_t default_material_ = no_chart;
 };
 

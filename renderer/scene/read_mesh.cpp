@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <string>
+#include <unordered_map>
 
 #include "scene/accessor.h"
 
@@ -80,6 +81,22 @@ glm::vec4 read_color(const GltfFile& file, GltfAccessor colors, std::size_t i) {
     return glm::clamp(color, 0.0f, 1.0f);
 }
 
+// Which of a primitive's vertices are placed already, and as what. Many primitives may each use a few of many vertices.
+class PlacedNumbers {
+  public:
+    PlacedNumbers(std::size_t vertices, std::size_t corners) : few_(corners < vertices / 8) {
+        if (!few_) numbers_.assign(vertices, unused);
+    }
+    std::uint32_t& of(std::uint32_t vertex) {
+        return few_ ? map_.try_emplace(vertex, unused).first->second : numbers_[vertex];
+    }
+
+  private:
+    bool few_;
+    std::vector<std::uint32_t> numbers_;
+    std::unordered_map<std::uint32_t, std::uint32_t> map_;
+};
+
 // Where each vertex of a primitive goes.
 class Pose {
   public:
@@ -146,14 +163,15 @@ PlacedPrimitive place_primitive(const GltfFile& file, const GltfPrimitive& primi
     const Pose pose(file, primitive, place);
 
     PlacedPrimitive part;
-    std::vector<std::uint32_t> placed(positions.count, unused);
+    PlacedNumbers placed(positions.count, corner_count(file, primitive));
     std::vector<bool> mirrored;
     bool mend = false;
     const auto vertex = [&](std::size_t corner) {
         const std::uint32_t i = primitive.indices < 0 ? static_cast<std::uint32_t>(corner)
                                                       : read_index(file, accessor(file, primitive.indices), corner);
-        if (placed[i] != unused) return placed[i];
-        placed[i] = static_cast<std::uint32_t>(part.vertices.size());
+        std::uint32_t& number = placed.of(i);
+        if (number != unused) return number;
+        number = static_cast<std::uint32_t>(part.vertices.size());
         const glm::dmat4 to_world = pose.of_vertex(i);
         mirrored.push_back(glm::determinant(glm::dmat3(to_world)) < 0);
         part.vertices.emplace_back(to_world * glm::dvec4(glm::dvec3(read_vector(file, positions, i)), 1.0));
@@ -164,7 +182,7 @@ PlacedPrimitive place_primitive(const GltfFile& file, const GltfPrimitive& primi
         }
         if (coordinates) part.texture_coordinates.emplace_back(read_vector(file, *coordinates, i));
         if (colors) part.colors.push_back(read_color(file, *colors, i));
-        return placed[i];
+        return number;
     };
     const std::size_t count = triangle_count(file, primitive);
     for (std::size_t t = 0; t < count; ++t) {

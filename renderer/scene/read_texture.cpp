@@ -31,7 +31,7 @@ TextureReader::Picture TextureReader::decoded(std::size_t index) {
         warnings_.push_back(name + " is missing; the colours beside it are used alone");
         return {};
     }
-    const std::optional<PictureSize> size = encoded_size(bytes);
+    const std::optional<EncodedSize> size = encoded_size(bytes);
     if (size && (size->width > longest_side || size->height > longest_side))
         throw Error(name + " has " + std::to_string(size->width) + " x " + std::to_string(size->height) + " pixels",
                     where_, "scale it to at most " + std::to_string(longest_side) + " a side");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/error.h"
 #include "base/units.h"
@@ -15,9 +17,24 @@ std::string item(const std::string& list, std::size_t i) {
     return list + "[" + std::to_string(i) + "]";
 }
 
+// More elements than a file that can be read has, however often its lists name the same bytes.
+constexpr std::size_t most_elements = std::size_t{1} << 29;
+
 struct Validator {
     const GltfFile& file;
     const std::string& where;
+    mutable std::set<std::pair<int, bool>> finite{};       // accessors whose numbers were looked at
+    mutable std::map<int, std::uint32_t> largest_index{};  // of accessors of indices
+    mutable std::size_t elements = 0;                      // looked at so far
+
+    // Reads each accessor once: many primitives may share it.
+    void count_elements(std::size_t count) const {
+        elements += count;
+        if (elements > most_elements)
+            throw Error("its accessors hold more than " + std::to_string(most_elements / 1'000'000) +
+                            " million elements together",
+                        where, "simplify its meshes");
+    }
 
     [[noreturn]] void wrong(const std::string& path, const std::string& fault) const {
         throw Error("\"" + path + "\" " + fault, where, "export the file again or mend it by hand");
@@ -159,7 +176,7 @@ struct Validator {
             wrong(path, "has " + std::to_string(corners) + " triangle corners, " +
                             (primitive.mode == gltf_triangles ? "not a multiple of 3" : "fewer than 3"));
         for (const auto& [name, index] : primitive.attributes)
-            check_attribute(name, check_read_accessor(index, path), positions.count, path + ".attributes." + name);
+            check_attribute(name, index, positions.count, path + ".attributes." + name);
     }
 
     std::size_t check_vertex_indices(const GltfPrimitive& primitive, std::size_t vertices,
@@ -169,21 +186,24 @@ struct Validator {
         if (indices.components != 1 ||
             (type != gltf_unsigned_byte && type != gltf_unsigned_short && type != gltf_unsigned_int))
             wrong(path + ".indices", "is not a SCALAR of unsigned integers");
-        const std::uint32_t restart = 0xffffffffu >> (32 - 8 * component_bytes(type));
-        for (std::size_t i = 0; i < indices.count; ++i) {
-            const std::uint32_t vertex = read_index(file, indices, i);
-            if (vertex == restart && primitive.mode != gltf_triangles)
-                wrong(path + ".indices", "restarts its strip at corner " + std::to_string(i) + ", which glTF forbids");
-            if (vertex >= vertices)
-                wrong(path + ".indices",
-                      "holds vertex " + std::to_string(vertex) + ", but there are " + std::to_string(vertices));
+        const auto [known, is_new] = largest_index.try_emplace(primitive.indices, 0);
+        if (is_new) {
+            count_elements(indices.count);
+            for (std::size_t i = 0; i < indices.count; ++i)
+                known->second = std::max(known->second, read_index(file, indices, i));
         }
+        const std::uint32_t largest = known->second, restart = 0xffffffffu >> (32 - 8 * component_bytes(type));
+        if (largest == restart && primitive.mode != gltf_triangles)
+            wrong(path + ".indices", "restarts its strip, which glTF forbids");
+        if (largest >= vertices)
+            wrong(path + ".indices",
+                  "holds vertex " + std::to_string(largest) + ", but there are " + std::to_string(vertices));
         return indices.count;
     }
 
     // glTF 2.0, 3.7.2.1, widened by KHR_mesh_quantization, whether the file names it or not.
-    void check_attribute(const std::string& name, const GltfAccessor& accessor, std::size_t vertices,
-                         const std::string& path) const {
+    void check_attribute(const std::string& name, int index, std::size_t vertices, const std::string& path) const {
+        const GltfAccessor& accessor = check_read_accessor(index, path);
         const bool coordinates = name.rfind("TEXCOORD_", 0) == 0;
         if (name == "POSITION") {
             if (accessor.components != 3 || !is_small_or_float(accessor)) wrong(path, "is not a VEC3 of floats");
@@ -207,6 +227,8 @@ struct Validator {
         if (accessor.count != vertices)
             wrong(path, "holds " + std::to_string(accessor.count) + " elements for " + std::to_string(vertices) +
                             " vertices");
+        if (!finite.insert({index, coordinates}).second) return;
+        count_elements(accessor.count);
         for (std::size_t i = 0; i < accessor.count; ++i) {
             const glm::vec4 v = read_vector(file, accessor, i);
             if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z) || !std::isfinite(v.w))
@@ -244,6 +266,19 @@ struct Validator {
                     wrong(path + ".inverseBindMatrices", "holds a number that is not finite");
     }
 
+    std::uint32_t largest_joint(int index) const {
+        const auto [known, is_new] = largest_index.try_emplace(index, 0);
+        if (!is_new) return known->second;
+        const GltfAccessor& accessor = file.accessors[static_cast<std::size_t>(index)];
+        count_elements(accessor.count);
+        float largest = 0;
+        for (std::size_t i = 0; i < accessor.count; ++i) {
+            const glm::vec4 named = read_vector(file, accessor, i);
+            largest = std::max({largest, named.x, named.y, named.z, named.w});
+        }
+        return known->second = static_cast<std::uint32_t>(largest);
+    }
+
     // Joints that a mesh's vertices name exist in the skin of each node that wears it.
     void check_worn_skin(const GltfNode& node, const std::string& path) const {
         check_optional_index(node.skin, file.skins, path + ".skin", "skins");
@@ -252,14 +287,10 @@ struct Validator {
         for (const GltfPrimitive& primitive : file.meshes[static_cast<std::size_t>(node.mesh)].primitives)
             for (const auto& [name, index] : primitive.attributes) {
                 if (name.rfind("JOINTS_", 0) != 0 || primitive.mode < gltf_triangles) continue;
-                const GltfAccessor& accessor = file.accessors[static_cast<std::size_t>(index)];
-                for (std::size_t i = 0; i < accessor.count; ++i) {
-                    const glm::vec4 named = read_vector(file, accessor, i);
-                    const float largest = std::max(std::max(named.x, named.y), std::max(named.z, named.w));
-                    if (!(largest < static_cast<float>(joints)))
-                        wrong(path, "wears a skin of " + std::to_string(joints) + " joints, but " + name + " names " +
-                                        std::to_string(static_cast<int>(largest)));
-                }
+                const std::uint32_t largest = largest_joint(index);
+                if (largest >= joints)
+                    wrong(path, "wears a skin of " + std::to_string(joints) + " joints, but " + name + " names " +
+                                    std::to_string(largest));
             }
     }
 

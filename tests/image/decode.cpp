@@ -59,5 +59,29 @@ TEST(Decode, SmallPicturesThatUnpackToManyBytesAreRefused) {
     EXPECT_TRUE(decode_rgba(span_of(large)));  // the same bytes are fine where the header announces them
 }
 
+// Every byte of a picture changed in several ways: pixels or nothing. The sanitizers watch.
+TEST(Decode, ScratchedPicturesNeverCrash) {
+    std::vector<std::uint8_t> rgba;
+    for (int i = 0; i < 4 * 17 * 9; ++i) rgba.push_back(static_cast<std::uint8_t>(i * i));
+    std::string jpeg;
+    const auto append = [](void* into, void* from, int count) {
+        static_cast<std::string*>(into)->append(static_cast<const char*>(from), static_cast<std::size_t>(count));
+    };
+    stbi_write_jpg_to_func(append, &jpeg, 17, 9, 4, rgba.data(), 80);
+    int read = 0, refused = 0;
+    for (const std::string& picture : {png_of(17, 9, rgba), jpeg})
+        for (std::size_t i = 0; i < picture.size(); ++i)
+            for (const int change : {0xff, 0x01, 0x80, 0x10}) {
+                std::string scratched = picture;
+                scratched[i] = static_cast<char>(scratched[i] ^ change);
+                const auto size = encoded_size(span_of(scratched));
+                // The reader of textures refuses larger ones before it decodes them.
+                if (size && (size->width > 8192 || size->height > 8192)) continue;
+                decode_rgba(span_of(scratched)) ? ++read : ++refused;
+            }
+    EXPECT_GT(read, 100);
+    EXPECT_GT(refused, 100);
+}
+
 }  // namespace
 }  // namespace brewster

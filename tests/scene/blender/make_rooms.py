@@ -114,7 +114,7 @@ def primitive(add, name, surface, smooth=True, **arguments):
 
 def camera(name, position, target):
     data = bpy.data.cameras.new("Camera")
-    data.angle = math.radians(60)
+    data.angle = math.radians(85)
     made = bpy.data.objects.new(name, data)
     bpy.context.collection.objects.link(made)
     made.location = position
@@ -178,7 +178,7 @@ def glass_and_brass():
     quad("Panel", (1.2, 1.2, 2.39), (0, 0.6, 0), (0.6, 0, 0),
          material("Panel.glow", (0, 0, 0), emission=(1, 0.9, 0.7), strength=2))
     lamp("Lamp.bulb", "POINT", 40, (0.5, 0.6, 2.0), (1, 0.85, 0.6))
-    camera("Camera.main", (1.5, 0.15, 1.3), (1.5, 2.0, 0.4))
+    camera("Camera.main", (1.5, 0.15, 1.5), (1.5, 2.0, 0.6))
     camera("Camera.low", (0.3, 0.4, 0.5), (1.6, 1.8, 0.35))
     export("glass and brass", "glass and brass")
 
@@ -231,7 +231,7 @@ def gallery():
     spot = lamp("Spot.track", "SPOT", 60, (2, 0.8, 2.9), (1, 0.95, 0.85), (math.radians(35), 0, 0))
     spot.data.spot_size, spot.data.spot_blend = math.radians(70), 0.3
     lamp("Lamp.fill", "POINT", 15, (3.4, 0.6, 2.2))
-    camera("Camera.main", (2.2, 0.2, 1.6), (1.9, 3.0, 0.8))
+    camera("Camera.main", (3.5, 0.3, 1.8), (1.6, 3.0, 0.9))
     export("gallery room", "gallery")
 
 
