@@ -52,6 +52,15 @@ void add_scene(CLI::App& verb, std::string& scene) {
     verb.add_option("scene", scene, "A .gltf or .glb file")->required()->type_name("SCENE");
 }
 
+void add_threads_and_seed(CLI::App& verb, unsigned& threads, std::uint64_t& seed) {
+    add_whole_number(verb, "--threads", "Threads that trace (default: as many as the machine has)", 1, 1024,
+                     [&threads](std::uint64_t count) { threads = static_cast<unsigned>(count); })
+        ->type_name("T");
+    add_whole_number(verb, "--seed", "Seed of the random numbers (default 1)", 0,
+                     std::numeric_limits<std::uint64_t>::max(), [&seed](std::uint64_t key) { seed = key; })
+        ->type_name("K");
+}
+
 /// What everything that traces has in common: when to stop, how to trace.
 void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, const std::string& default_stop) {
     add_whole_number(verb, "--photons", "Stop after N photons (default: " + default_stop + ")", 1, largest_photon_count,
@@ -63,12 +72,7 @@ void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, c
     add_number(verb, "--target-error", "Stop at this relative standard error (0.01 is 1 %)", 1e-6, 1,
                [&](double error) { stop.target_error = error; })
         ->type_name("E");
-    add_whole_number(verb, "--threads", "Threads that trace (default: as many as the machine has)", 1, 1024,
-                     [&](std::uint64_t threads) { engine.threads = static_cast<unsigned>(threads); })
-        ->type_name("T");
-    add_whole_number(verb, "--seed", "Seed of the random numbers (default 1)", 0,
-                     std::numeric_limits<std::uint64_t>::max(), [&](std::uint64_t seed) { engine.seed = seed; })
-        ->type_name("K");
+    add_threads_and_seed(verb, engine.threads, engine.seed);
     add_number(verb, "--memory", "GiB for the bins (default 1)", 1.0 / 64, 4096, [&](double gib) {
         engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
     })->type_name("GIB");
@@ -101,22 +105,26 @@ std::string map_list() {
     return list + "or all";
 }
 
-void add_shot_options(CLI::App& verb, ShotOptions& options) {
-    add_solve_options(verb, options.solve);
-    verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
-        ->type_name("NAME")
-        ->allow_extra_args(false);
+void add_size(CLI::App& verb, std::optional<PictureSize>& size) {
     verb.add_option_function<std::string>(
             "--size",
-            [&](const std::string& text) {
-                options.size = parse_size(text);
-                if (!options.size) {
+            [&size](const std::string& text) {
+                size = parse_size(text);
+                if (!size) {
                     refuse("--size", text,
                            "a size like 640x480, each side from 1 to " + std::to_string(largest_picture_side));
                 }
             },
             "Pixels (default: " + std::to_string(default_picture_height) + " rows, columns by the camera's shape)")
         ->type_name("WxH");
+}
+
+void add_shot_options(CLI::App& verb, ShotOptions& options) {
+    add_solve_options(verb, options.solve);
+    verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    add_size(verb, options.size);
     verb.add_option_function<std::vector<std::string>>(
             "--map", [&](const std::vector<std::string>& names) { options.maps = parse_maps(names); },
             "What to show: " + map_list() + " (default " + std::string(map_descriptions.front().name) +
@@ -173,6 +181,30 @@ void add_compare_options(CLI::App& verb, CompareOptions& options) {
     verb.footer("Example: brewster compare front.exr reference.exr --block 8 --out difference.png");
 }
 
+void add_reference_options(CLI::App& verb, ReferenceOptions& options) {
+    add_scene(verb, options.scene);
+    verb.add_option("--camera", options.camera, "A camera of the scene (default: its first)")->type_name("NAME");
+    add_size(verb, options.size);
+    add_whole_number(verb, "--spp",
+                     "Samples for each pixel (default " + std::to_string(default_reference_samples) + ")", 1, 1 << 26,
+                     [&](std::uint64_t samples) { options.spp = samples; })
+        ->type_name("N");
+    add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {
+        options.seconds = seconds;
+    })->type_name("S");
+    verb.add_option_function<std::string>(
+            "--polarization",
+            [&](const std::string& text) {
+                if (text != "on" && text != "off") refuse("--polarization", text, "on or off");
+                options.polarized = text == "on";
+            },
+            "Off: every event uses the unpolarized reflectance and forgets the state (default on)")
+        ->type_name("on|off");
+    add_threads_and_seed(verb, options.threads, options.seed);
+    verb.add_option("--out", options.out, "Where to, .exr (default " + options.out + ")")->type_name("FILE");
+    add_json(verb, options.json);
+}
+
 std::vector<std::string> option_names(const CLI::App& verb) {
     std::vector<std::string> names;
     for (const CLI::Option* option : verb.get_options()) {
@@ -224,6 +256,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     SolveOptions solve;
     ShotOptions shot;
     InfoOptions info;
+    ReferenceOptions reference;
     CompareOptions compare;
 
     CLI::App program("Polarized global illumination: photons fill bins on every surface, any camera looks at them.",
@@ -258,6 +291,14 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_json(*info_verb, info.json);
     info_verb->footer("Example: brewster info assets/scenes/cornell-box.gltf");
 
+    CLI::App* reference_verb = program.add_subcommand(
+        "reference", "Trace single paths, without any bins, into an EXR picture to compare with");
+    add_reference_options(*reference_verb, reference);
+    reference_verb->footer(
+        "Slow and right: S0 to S3 of every band with the variance of each; doubts about a picture end here.\n"
+        "Example: brewster reference assets/scenes/cornell-box.gltf --camera front --size 320x240 --seconds 30 --out "
+        "ref.exr");
+
     CLI::App* compare_verb = program.add_subcommand("compare", "Say how far a picture is from a reference");
     add_compare_options(*compare_verb, compare);
 
@@ -281,6 +322,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (solve_verb->parsed()) return solve;
     if (shot_verb->parsed()) return shot;
     if (info_verb->parsed()) return info;
+    if (reference_verb->parsed()) return reference;
     if (compare_verb->parsed()) return compare;
     return open;
 }

@@ -17,6 +17,7 @@ void run(const brewster::Command& command) {
             if constexpr (std::is_same_v<Options, brewster::SolveOptions>) brewster::solve(options);
             if constexpr (std::is_same_v<Options, brewster::ShotOptions>) brewster::shot(options);
             if constexpr (std::is_same_v<Options, brewster::InfoOptions>) brewster::info(options);
+            if constexpr (std::is_same_v<Options, brewster::ReferenceOptions>) brewster::make_reference(options);
             if constexpr (std::is_same_v<Options, brewster::CompareOptions>) brewster::compare_pictures(options);
             if constexpr (std::is_same_v<Options, brewster::OpenOptions>) brewster::open_scene(options);
         },

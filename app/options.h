@@ -39,6 +39,21 @@ struct InfoOptions {
     bool json = false;
 };
 
+struct ReferenceOptions {
+    std::string scene;
+    std::string camera;                ///< empty: the first
+    std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
+    std::optional<std::uint64_t> spp;  ///< samples for each pixel
+    std::optional<double> seconds;     ///< whichever is reached first; neither: default_reference_samples
+    bool polarized = true;
+    std::uint64_t seed = 1;
+    unsigned threads = 0;  ///< 0: as many as the machine has
+    std::string out = "reference.exr";
+    bool json = false;
+};
+
+inline constexpr std::uint64_t default_reference_samples = 64;
+
 struct CompareOptions {
     std::string picture, reference;    ///< paths of EXR files
     std::string scene, camera;         ///< what both pictures show; needed for a region
@@ -58,6 +73,6 @@ struct OpenOptions {
     bool headless = false;  ///< draw pictures even where a window could be opened
 };
 
-using Command = std::variant<OpenOptions, SolveOptions, ShotOptions, InfoOptions, CompareOptions>;
+using Command = std::variant<OpenOptions, SolveOptions, ShotOptions, InfoOptions, ReferenceOptions, CompareOptions>;
 
 }  // namespace brewster

@@ -45,12 +45,6 @@ std::vector<std::string> chosen_cameras(const Scene& scene, const std::vector<st
     return chosen;
 }
 
-PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished) {
-    if (wished) return *wished;
-    const float width = static_cast<float>(default_picture_height) * camera.aspect_ratio;
-    return {std::clamp(static_cast<int>(std::lround(width)), 1, largest_picture_side), default_picture_height};
-}
-
 void draw(Picture& picture, const Camera& camera, const std::optional<PictureSize>& wished, int draws) {
     const PictureSize size = size_for(camera, wished);
     picture.look(camera, size.width, size.height);
@@ -58,6 +52,12 @@ void draw(Picture& picture, const Camera& camera, const std::optional<PictureSiz
 }
 
 }  // namespace
+
+PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished) {
+    if (wished) return *wished;
+    const float width = static_cast<float>(default_picture_height) * camera.aspect_ratio;
+    return {std::clamp(static_cast<int>(std::lround(width)), 1, largest_picture_side), default_picture_height};
+}
 
 std::vector<PictureName> plan_pictures(const Scene& scene, const ShotOptions& options) {
     std::vector<PictureName> pictures =

@@ -10,6 +10,9 @@
 
 namespace brewster {
 
+/// The wished size, or default_picture_height rows and columns by the camera's shape.
+PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished);
+
 /// The pictures that `options` ask for of this scene, their folders made. Throws Error for an unknown camera and for
 /// names that cannot be written, so that it comes before the work.
 std::vector<PictureName> plan_pictures(const Scene& scene, const ShotOptions& options);

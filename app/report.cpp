@@ -202,6 +202,24 @@ std::string info_report(const Scene& scene) {
                     {"warnings", scene.warnings}});
 }
 
+std::string reference_report(const ReferenceResult& result) {
+    Json mean = Json::array(), error = Json::array();
+    for (const PictureMean& band : result.mean) {
+        mean.push_back(band.mean);
+        error.push_back(band.standard_error);
+    }
+    return text_of({{"scene", result.scene},
+                    {"camera", result.camera},
+                    {"polarization", result.polarized},
+                    {"seed", result.seed},
+                    {"samples", result.samples},
+                    {"photons", result.photons},
+                    {"seconds", result.seconds},
+                    {"mean_radiance", mean},
+                    {"mean_radiance_standard_error", error},
+                    {"path", result.path}});
+}
+
 std::string compare_report(const PictureDifference& difference) {
     Json components = Json::object();
     for (int component = 0; component < 4; ++component) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,7 @@
 #include "base/fixed_point.h"
 #include "engine/engine.h"
 #include "image/compare.h"
+#include "reference/reference.h"
 #include "scene/scene.h"
 #include "transport/ledger.h"
 
@@ -21,6 +23,15 @@ struct SolveResult {
     KernelChoice kernel;
 };
 
+/// What a finished reference says of itself.
+struct ReferenceResult {
+    std::string scene, camera, path;
+    bool polarized = true;
+    std::uint64_t seed = 1, samples = 0, photons = 0;  ///< samples for each pixel
+    double seconds = 0;
+    std::array<PictureMean, band_count> mean;  ///< of S0
+};
+
 SolveResult result_of(const Engine& engine);
 
 /// 128-bit numbers in decimal digits: JSON numbers would lose them.
@@ -31,6 +42,7 @@ std::string decimal(Wide number);
 std::string solve_report(const SolveResult& result);
 std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures);
 std::string info_report(const Scene& scene);
+std::string reference_report(const ReferenceResult& result);
 std::string compare_report(const PictureDifference& difference);
 
 }  // namespace brewster

@@ -12,6 +12,7 @@ void solve(const SolveOptions& options);
 void shot(const ShotOptions& options);
 void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options);  ///< of a scene already read
 void info(const InfoOptions& options);
+void make_reference(const ReferenceOptions& options);
 void compare_pictures(const CompareOptions& options);
 void open_scene(const OpenOptions& options);  ///< without a verb: the window, or pictures where there is none
 

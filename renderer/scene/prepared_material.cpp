@@ -63,8 +63,8 @@ PreparedMaterial::PreparedMaterial(const Material& material, std::shared_ptr<con
         }
         const double internal = brewster::internal_reflectance(external, index);
         internal_reflectance[band] = static_cast<float>(internal);
-        albedo[band] = static_cast<float>(rho);
         external_reflectance[band] = static_cast<float>(external);
+        inner_return[band] = static_cast<float>(rho * internal);
         base_factor[band] = static_cast<float>(base_radiance_factor(rho, index, internal));
         base_survival[band] = static_cast<float>(brewster::base_survival(rho, internal));
     }

@@ -30,7 +30,7 @@ class PreparedMaterial {
     std::array<float, band_count> base_factor{}, base_survival{};
     std::array<float, band_count> external_reflectance{};  ///< Fe
     std::array<float, band_count> internal_reflectance{};  ///< Fi: of light that would leave the base
-    std::array<float, band_count> albedo{};                ///< of the base
+    std::array<float, band_count> inner_return{};          ///< rho Fi: what one bounce inside the base brings back
     glm::vec3 emission{0.0f};                              ///< cd/m2, unpolarized, the same in all directions
 
     bool rough() const { return finish != Finish::smooth; }
@@ -41,11 +41,12 @@ class PreparedMaterial {
     /// Can reflect at the interface.
     bool reflects() const { return interface != InterfaceKind::none; }
 
-    /// What the base sends back is multiplied by where a texture gives it an albedo of its own.
-    float albedo_correction(std::size_t band, float albedo_there) const {
-        if (!(albedo[band] > 0)) return 0;
-        return albedo_there * (1 - albedo[band] * internal_reflectance[band]) /
-               (albedo[band] * (1 - albedo_there * internal_reflectance[band]));
+    /// What the base lobe is multiplied by where a texture or the corners' colours multiply the albedo by `tint` in
+    /// [0, 1]: the ratio of rho/(1 - rho Fi) there and here. The lobe's densities stay those of the material.
+    template <class Real>
+    Real tinted_base(std::size_t band, const Real& tint) const {
+        const Real returned(inner_return[band]);
+        return tint * (1 - returned) / (1 - tint * returned);
     }
 
     const OrderRules& rules() const { return *rules_; }

@@ -165,7 +165,9 @@ std::size_t add_surfaces(Scene& scene, const Part& part) {
         Triangle sides;
         sides.surface = front.surface;
         sides.front_chart = static_cast<std::uint32_t>(scene.charts.size());
-        if (scene.materials[part.material].double_sided) sides.back_chart = sides.front_chart + 1;
+        // The skin of a transparent body is met from inside as well.
+        const Material& material = scene.materials[part.material];
+        if (material.double_sided || material.base == Base::transparent) sides.back_chart = sides.front_chart + 1;
         for (const std::uint32_t t : members) {
             for (std::size_t k = 0; k < 3; ++k) sides.vertices[k] = first_vertex + triangles[t][k];
             sides.margin = margin_of(shape_of(part.vertices, triangles[t]), hit_inset(front));

@@ -19,8 +19,8 @@ struct Part {
 };
 
 /// Adds a part's vertices and triangles to the scene, patch by patch (scene/patches.h) and plane by plane, each with a
-/// front chart and, if the material is double-sided, a back chart. Triangles without area are left out; their number is
-/// returned.
+/// front chart and, if the material is double-sided or transparent, a back chart. Triangles without area are left out;
+/// their number is returned.
 std::size_t add_surfaces(Scene& scene, const Part& part);
 
 /// Metres: how far inside the edges of its triangles a hit on the chart lies. 1e-6 of the chart's size, but never less

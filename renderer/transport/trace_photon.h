@@ -178,9 +178,9 @@ bool scatter(const TransportContext& context, const Meeting& at, const ScatterNu
     book(sums.ledger.absorbed, before, light);
     if (sample.base && context.coloured) {
         const PhotonLight<components, bands> untinted = light;
-        const glm::vec3 albedo = albedo_at(context.scene, at.hit);
+        const glm::vec4 tint = tint_at(context.scene, at.hit.triangle, at.hit.b1, at.hit.b2);
         for (std::size_t b = 0; b < bands; ++b)
-            light.scale_band(b, at.material->albedo_correction(b, albedo[static_cast<int>(b)]));
+            light.scale_band(b, at.material->tinted_base(b, tint[static_cast<int>(b)]));
         book(sums.ledger.absorbed, untinted, light);
     }
     if ((dot(sample.direction, at.normal) > 0) == sample.refracted) {

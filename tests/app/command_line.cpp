@@ -69,6 +69,23 @@ TEST(CommandLine, OtherVerbs) {
     EXPECT_EQ(std::get<OpenOptions>(parse({"--threads", "1"})).engine.threads, 1u);
 }
 
+TEST(CommandLine, ReferenceTakesItsOptions) {
+    const auto options = std::get<ReferenceOptions>(
+        parse({"reference", "box.gltf", "--camera", "front", "--size", "32x24", "--spp", "1e3", "--polarization", "off",
+               "--seed", "5", "--threads", "2", "--out", "ref.exr", "--json"}));
+    EXPECT_EQ(options.camera, "front");
+    EXPECT_EQ(options.size->width, 32);
+    EXPECT_EQ(options.spp, 1000u);
+    EXPECT_FALSE(options.seconds);
+    EXPECT_FALSE(options.polarized);
+    EXPECT_EQ(options.seed, 5u);
+    EXPECT_EQ(options.threads, 2u);
+    EXPECT_EQ(options.out, "ref.exr");
+    EXPECT_TRUE(options.json);
+    EXPECT_TRUE(std::get<ReferenceOptions>(parse({"reference", "box.gltf"})).polarized);
+    EXPECT_EQ(end_of({"reference", "box.gltf", "--polarization", "maybe"}).exit_code, 2);
+}
+
 TEST(CommandLine, HelpAndVersionEndWell) {
     EXPECT_EQ(end_of({"--version"}).exit_code, 0);
     EXPECT_EQ(end_of({"--version"}).text.rfind("brewster ", 0), 0u);

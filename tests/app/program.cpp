@@ -180,6 +180,26 @@ TEST(Program, CompareLooksAtRegionsAndBlocksAndDrawsTheDifference) {
     EXPECT_EQ(brewster({"compare", "1.exr", "2.exr", "--region", "floor"}, folder).exit_code, 2);
 }
 
+TEST(Program, ReferenceWritesStokesWithVariances) {
+    const std::string folder = fresh_folder();
+    const ProcessResult result = brewster({"reference", cornell_box, "--camera", "front", "--size", "24x24", "--spp",
+                                           "16", "--out", "deep/ref.exr", "--json"},
+                                          folder);
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    const json report = json::parse(result.output);
+    EXPECT_EQ(report["samples"], 16);
+    EXPECT_EQ(report["camera"], "front");
+    EXPECT_GT(report["seconds"], 0.0);
+    // The box's mean radiance by another renderer; 576 pixels of 16 samples know it to a few per cent.
+    EXPECT_NEAR(report["mean_radiance"][0].get<double>(), 0.18652,
+                5 * report["mean_radiance_standard_error"][0].get<double>());
+    const ProcessResult compare = brewster({"compare", "deep/ref.exr", "deep/ref.exr", "--json"}, folder);
+    const json components = json::parse(compare.output)["components"];
+    for (const char* component : {"S0", "S1", "S2", "S3"}) EXPECT_TRUE(components.contains(component));
+    expect_sentence(brewster({"reference", cornell_box, "--out", "ref.png"}, folder), 1, ".exr");
+    expect_sentence(brewster({"reference", cornell_box, "--camera", "frnt"}, folder), 1, "front");
+}
+
 TEST(Program, UnknownCameraIsSuggested) {
     const ProcessResult result = brewster({"shot", cornell_box, "--camera", "frnt", "--photons", "1e7"});
     expect_sentence(result, 1, "did you mean 'front'");

@@ -25,6 +25,16 @@ TEST(PreparedMaterial, LambertIsARhoOverPi) {
     EXPECT_FALSE(material.sharp());
 }
 
+/// A tinted base is the base of a material with that albedo.
+TEST(PreparedMaterial, TintsAreAlbedos) {
+    Material dark = dielectric(Base::polarized_diffuse);
+    dark.albedo *= 0.3f;
+    const auto materials = prepare_materials({dielectric(Base::polarized_diffuse), dark});
+    for (std::size_t band = 0; band < band_count; ++band)
+        EXPECT_NEAR(materials[0].tinted_base(band, 0.3) * static_cast<double>(materials[0].base_factor[band]),
+                    static_cast<double>(materials[1].base_factor[band]), 1e-8);
+}
+
 /// Two walls of one index share a table unless wave optics tells the bands apart.
 TEST(PreparedMaterial, BandsOfOneIndexPassTheSame) {
     const auto materials = prepare_materials({beckmann(dielectric(Base::polarized_diffuse), 0.3f),

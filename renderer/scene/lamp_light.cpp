@@ -1,0 +1,162 @@
+#include "scene/lamp_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+#include "optics/axis_across.h"
+#include "scene/vectors.h"
+
+namespace brewster {
+namespace {
+
+constexpr std::uint32_t no_lamp = std::numeric_limits<std::uint32_t>::max();
+
+std::vector<double> cumulative_areas(const Scene& scene, const Chart& chart) {
+    std::vector<double> sums;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
+        const Triangle& triangle = scene.triangles[chart.first_triangle + i];
+        const Vector<double> a = vector_of(scene.vertices[triangle.vertices[0]]);
+        const Vector<double> normal = cross(vector_of(scene.vertices[triangle.vertices[1]]) - a,
+                                            vector_of(scene.vertices[triangle.vertices[2]]) - a);
+        sums.push_back(sum += 0.5 * std::sqrt(dot(normal, normal)));
+    }
+    for (double& share : sums) share /= sum;
+    sums.back() = 1;
+    return sums;
+}
+
+std::size_t index_of(const std::vector<double>& cumulative, double x) {
+    const auto at = std::upper_bound(cumulative.begin(), cumulative.end() - 1, x);
+    return static_cast<std::size_t>(at - cumulative.begin());
+}
+
+// 1 - cos of the disc's radius, without cancellation.
+double versine_of(const Lamp& sun) {
+    const double half = std::sin(0.5 * static_cast<double>(sun.angular_radius));
+    return 2 * half * half;
+}
+
+// E = L pi sin^2(radius) across the beam.
+glm::dvec3 disc_radiance(const Lamp& sun) {
+    const double sine = std::sin(static_cast<double>(sun.angular_radius));
+    return glm::dvec3(sun.intensity) / (pi * sine * sine);
+}
+
+}  // namespace
+
+double falloff(const Lamp& lamp, const Vector<double>& direction) {
+    if (lamp.kind != LampKind::spot) return 1;
+    const double cosine = dot(vector_of(lamp.direction), direction);
+    const auto inner = static_cast<double>(lamp.cos_inner), outer = static_cast<double>(lamp.cos_outer);
+    if (cosine <= outer) return 0;
+    const double ramp = cosine >= inner ? 1 : (cosine - outer) / (inner - outer);
+    return ramp * ramp;
+}
+
+Vector<double> lamp_axis(const Lamp& lamp, const Vector<double>& direction) {
+    const auto part_across = [&](const glm::vec3& axis) {
+        const Vector<double> a = vector_of(axis);
+        return a - dot(a, direction) * direction;
+    };
+    const Vector<double> first = part_across(lamp.axis);
+    return normalized(dot(first, first) > 1e-12 ? first : part_across(lamp.second_axis));
+}
+
+LampLights::LampLights(const Scene& scene) : scene_(scene), lamp_of_chart_(scene.charts.size(), no_lamp) {
+    double total = 0;
+    for (const Lamp& lamp : scene.lamps) total += static_cast<double>(lamp.mean_power());
+    if (!(total > 0)) return;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < scene.lamps.size(); ++i) {
+        const Lamp& lamp = scene.lamps[i];
+        choice_.push_back(static_cast<double>(lamp.mean_power()) / total);
+        cumulative_.push_back(sum += choice_.back());
+        triangle_areas_.push_back(lamp.kind == LampKind::area ? cumulative_areas(scene, scene.charts[lamp.chart])
+                                                              : std::vector<double>{});
+        if (lamp.kind == LampKind::area) lamp_of_chart_[lamp.chart] = i;
+        if (lamp.kind == LampKind::sun && lamp.angular_radius > 0) discs_.push_back(i);
+    }
+}
+
+std::optional<LampLight> LampLights::sample(const Vector<double>& point, double choice, double u, double v) const {
+    const std::size_t index = index_of(cumulative_, choice);
+    const Lamp& lamp = scene_.lamps[index];
+    LampLight light;
+    light.lamp = static_cast<std::uint32_t>(index);
+    light.choice = choice_[index];
+    if (lamp.kind == LampKind::sun) {
+        const Vector<double> towards = normalized(-vector_of(lamp.direction));
+        light.distance = std::numeric_limits<double>::infinity();
+        light.direction = towards;
+        light.radiance = glm::dvec3(lamp.intensity);
+        if (lamp.angular_radius > 0) {
+            const double versine = u * versine_of(lamp), sine = std::sqrt(versine * (2 - versine));
+            const Vector<double> x = axis_across(towards, towards), y = cross(towards, x);
+            light.direction = normalized((1 - versine) * towards + (sine * std::cos(2 * pi * v)) * x +
+                                         (sine * std::sin(2 * pi * v)) * y);
+            light.radiance = disc_radiance(lamp);
+            light.pdf = light.choice / (2 * pi * versine_of(lamp));
+        }
+        return light;
+    }
+    if (lamp.kind != LampKind::area) {
+        const Vector<double> way = vector_of(lamp.position) - point;
+        light.distance = std::sqrt(dot(way, way));
+        if (!(light.distance > 0)) return {};
+        light.direction = (1 / light.distance) * way;
+        const double share = falloff(lamp, -light.direction);
+        if (share <= 0) return {};
+        light.radiance = share / (light.distance * light.distance) * glm::dvec3(lamp.intensity);
+        return light;
+    }
+    const std::vector<double>& shares = triangle_areas_[index];
+    const std::size_t k = index_of(shares, u);
+    const double before = k > 0 ? shares[k - 1] : 0;
+    double b1 = (u - before) / (shares[k] - before), b2 = v;
+    if (b1 + b2 > 1) {
+        b1 = 1 - b1;
+        b2 = 1 - b2;
+    }
+    const Triangle& triangle = scene_.triangles[scene_.charts[lamp.chart].first_triangle + k];
+    const Vector<double> at = vector_of(scene_.point_inside(triangle, static_cast<float>(b1), static_cast<float>(b2)));
+    const Vector<double> way = at - point;
+    light.distance = std::sqrt(dot(way, way));
+    if (!(light.distance > 0)) return {};
+    light.direction = (1 / light.distance) * way;
+    const Vector<double> a = vector_of(scene_.vertices[triangle.vertices[0]]);
+    const Vector<double> normal = normalized(cross(vector_of(scene_.vertices[triangle.vertices[1]]) - a,
+                                                   vector_of(scene_.vertices[triangle.vertices[2]]) - a));
+    const bool front = triangle.front_chart == lamp.chart;
+    light.pdf = pdf_of_area(lamp.chart, front ? normal : -normal, light.direction, light.distance);
+    light.radiance = glm::dvec3(lamp.intensity);
+    if (!(light.pdf > 0) || !std::isfinite(light.pdf)) return {};
+    return light;
+}
+
+double LampLights::pdf_of_area(std::uint32_t chart, const Vector<double>& normal, const Vector<double>& direction,
+                               double distance) const {
+    const std::uint32_t lamp = lamp_of_chart_[chart];
+    if (lamp == no_lamp) return 0;
+    const double cosine = -dot(normal, direction);
+    if (cosine <= 0) return 0;
+    return choice_[lamp] * distance * distance / (cosine * scene_.charts[chart].area);
+}
+
+std::optional<LampLight> LampLights::disc_seen(std::uint32_t index, const Vector<double>& direction) const {
+    const Lamp& lamp = scene_.lamps[index];
+    const Vector<double> off = direction + normalized(vector_of(lamp.direction));
+    if (0.5 * dot(off, off) >= versine_of(lamp)) return {};
+    LampLight light;
+    light.lamp = index;
+    light.direction = direction;
+    light.distance = std::numeric_limits<double>::infinity();
+    light.radiance = disc_radiance(lamp);
+    light.choice = choice_[index];
+    light.pdf = light.choice / (2 * pi * versine_of(lamp));
+    return light;
+}
+
+}  // namespace brewster

@@ -1,0 +1,17 @@
+#pragma once
+#include <glm/vec3.hpp>
+
+#include "optics/vector.h"
+
+namespace brewster {
+
+/// Between the scene's coordinates and those of optics.
+inline Vector<double> vector_of(const glm::vec3& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+inline glm::vec3 coordinates_of(const Vector<double>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+}  // namespace brewster
