@@ -61,6 +61,26 @@ void add_threads_and_seed(CLI::App& verb, unsigned& threads, std::uint64_t& seed
         ->type_name("K");
 }
 
+void add_polarization(CLI::App& verb, bool& polarization) {
+    verb.add_option_function<std::string>(
+            "--polarization",
+            [&](const std::string& text) {
+                if (text != "on" && text != "off") refuse("--polarization", text, "on or off");
+                polarization = text == "on";
+            },
+            "Off shows light as if no surface could tell polarizations apart (default on)")
+        ->type_name("on|off");
+}
+
+std::optional<KernelChoice> parse_kernel(const std::string& text) {
+    for (const int stokes : {1, 3, 4})
+        for (const int bands : {1, 3})
+            for (const bool gloss : {false, true})
+                if (text == std::to_string(stokes) + "x" + std::to_string(bands) + (gloss ? "-gloss" : ""))
+                    return KernelChoice{stokes, bands, gloss};
+    return {};
+}
+
 /// What everything that traces has in common: when to stop, how to trace.
 void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, const std::string& default_stop) {
     add_whole_number(verb, "--photons", "Stop after N photons (default: " + default_stop + ")", 1, largest_photon_count,
@@ -73,6 +93,17 @@ void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, c
                [&](double error) { stop.target_error = error; })
         ->type_name("E");
     add_threads_and_seed(verb, engine.threads, engine.seed);
+    verb.add_option_function<std::string>(
+            "--kernel",
+            [&](const std::string& text) {
+                engine.kernel = parse_kernel(text);
+                if (!engine.kernel)
+                    refuse("--kernel", text,
+                           "components x bands like 4x3, with -gloss where gloss is filed, like 4x3-gloss");
+            },
+            "What photons carry, for measurements: Stokes components 1, 3, 4 and bands 1, 3 (default: what the scene "
+            "needs)")
+        ->type_name("K");
     add_number(verb, "--memory", "GiB for the bins (default 1)", 1.0 / 64, 4096, [&](double gib) {
         engine.bins.memory_bytes = static_cast<std::size_t>(gib * bytes_per_gib);
     })->type_name("GIB");
@@ -137,6 +168,7 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
     add_whole_number(verb, "--samples", "Jittered draws a picture is the mean of (default 64)", 1, 1 << 20,
                      [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
         ->type_name("J");
+    add_polarization(verb, options.polarization);
     verb.add_option_function<std::string>(
             "--legend",
             [&](const std::string& text) {
@@ -192,14 +224,7 @@ void add_reference_options(CLI::App& verb, ReferenceOptions& options) {
     add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {
         options.seconds = seconds;
     })->type_name("S");
-    verb.add_option_function<std::string>(
-            "--polarization",
-            [&](const std::string& text) {
-                if (text != "on" && text != "off") refuse("--polarization", text, "on or off");
-                options.polarized = text == "on";
-            },
-            "Off: every event uses the unpolarized reflectance and forgets the state (default on)")
-        ->type_name("on|off");
+    add_polarization(verb, options.polarized);
     add_threads_and_seed(verb, options.threads, options.seed);
     verb.add_option("--out", options.out, "Where to, .exr (default " + options.out + ")")->type_name("FILE");
     add_json(verb, options.json);

@@ -3,7 +3,7 @@
 
 namespace brewster {
 
-enum class Key { n, q, home, other };
+enum class Key { n, p, q, home, other };
 enum class Button { left, middle, right };
 
 /// One thing a person did, in the order it was done. Places are in pixels of the framebuffer from the upper left.

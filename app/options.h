@@ -29,6 +29,7 @@ struct ShotOptions {
     std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
     int samples = 64;                ///< jittered draws a picture is the mean of
     bool legend = true;              ///< in PNG pictures
+    bool polarization = true;        ///< off: the world where no surface can tell polarizations apart
     std::string out = "pictures/{camera}.png";
 };
 

@@ -71,6 +71,7 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
     const OsmesaContext context;
     const std::uint64_t photons = bins->photons;
     Picture picture(scene);
+    picture.set_polarization(options.polarization);
     picture.show(std::move(bins));
     picture.upload();
 
@@ -88,13 +89,15 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
             stokes.attributes.emplace_back("brewster.scene", scene.name);
             stokes.attributes.emplace_back("brewster.camera", camera.name);
             stokes.attributes.emplace_back("brewster.photons", std::to_string(photons));
+            stokes.attributes.emplace_back("brewster.polarization", options.polarization ? "on" : "off");
             stokes.attributes.emplace_back("brewster.seed", std::to_string(options.solve.engine.seed));
             write_stokes_exr(name.path, stokes);
         } else {
             const PictureSize size = size_for(camera, options.size);
             const Screen screen = Screen::off_screen(size.width, size.height);
             picture.present(screen, exposure);
-            if (options.legend) draw_legend(text, screen, {name.map, scene.name, camera.name, photons, exposure});
+            if (options.legend)
+                draw_legend(text, screen, {name.map, scene.name, camera.name, photons, exposure, options.polarization});
             write_png(name.path, screen.read());
         }
     }

@@ -94,6 +94,10 @@ class Viewer {
         if (event.key == Key::q && event.control) quit_ = true;
         if (event.key == Key::n) choose_camera((camera_index_ + (event.shift ? count - 1 : 1)) % count);
         if (event.key == Key::home) choose_camera(camera_index_);
+        if (event.key == Key::p && picture_.bins()) {
+            picture_.set_polarization(!picture_.polarization());
+            draws_to_present_ = 1;
+        }
     }
 
     void choose_camera(std::size_t index) {
@@ -152,7 +156,9 @@ class Viewer {
         text_.draw(screen);
         if (options_.legend && picture_.bins()) {
             const std::string name = camera_.name + (moved_ ? " (moved)" : "");
-            draw_legend(text_, screen, {Map::radiance, scene_.name, name, picture_.bins()->photons, exposure_});
+            draw_legend(
+                text_, screen,
+                {Map::radiance, scene_.name, name, picture_.bins()->photons, exposure_, picture_.polarization()});
         }
         window_.swap();
     }

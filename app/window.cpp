@@ -24,7 +24,7 @@ Key key_of(int key, int scan_code) {
     if (key == GLFW_KEY_HOME) return Key::home;
     const char* name = glfwGetKeyName(key, scan_code);
     const std::string letter = name ? name : "";
-    return letter == "n" ? Key::n : letter == "q" ? Key::q : Key::other;
+    return letter == "n" ? Key::n : letter == "p" ? Key::p : letter == "q" ? Key::q : Key::other;
 }
 
 Button button_of(int button) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "shared/bin_layout.h"
+
 namespace brewster {
 
 /// The part of a chart's bounding rectangle that is surface: triangles in (u, v) of [0, 1]^2, in any order and winding.
@@ -15,6 +17,7 @@ struct Outline {
     std::vector<double> stretch;  ///< curved charts: area of surface over projected area, of each triangle; flat: none
     glm::dvec2 size{1, 1};        ///< metres along u and v
     std::vector<std::pair<glm::dvec2, glm::dvec2>> contacts;  ///< lines where other surfaces touch or cross this one
+    std::uint32_t least_cell = BREWSTER_UV_ONE >> 12;         ///< fixed-point: no cell is made smaller along any axis
 };
 
 /// An axis-parallel box of fixed-point coordinates, [low, high): position u, v, then direction where there is one.

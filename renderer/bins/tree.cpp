@@ -102,7 +102,7 @@ bool BinTree<D>::split_position(std::uint32_t index, int axis, std::uint32_t& po
     const auto a = static_cast<std::size_t>(axis);
     const Cell<D>& cell = cells_[index];
     const std::uint32_t low = cell.box.low[a], high = cell.box.high[a];
-    if (high - low < 2 * smallest_size) return false;
+    if (high - low < 2 * outlines_[cell.chart].least_cell) return false;
     const double middle = a < 2 ? cell.geometry.middle[a] : 0.0;
     position = low + static_cast<std::uint32_t>(std::lround((0.5 + 0.5 * middle) * (high - low)));
     return position > low && position < high;

@@ -53,7 +53,8 @@ void draw_legend(Text& text, const Screen& screen, const Legend& legend) {
     const float line = static_cast<float>(size), pitch = std::round(1.25f * line), margin = std::round(0.5f * line);
     const std::string title(description(legend.map).title);
     const std::string names = legend.scene + " \u00b7 " + legend.camera;
-    const std::string state = brief_count(legend.photons) + " photons \u00b7 EV " + signed_number(legend.exposure);
+    const std::string state = brief_count(legend.photons) + " photons \u00b7 EV " + signed_number(legend.exposure) +
+                              (legend.polarization ? "" : " \u00b7 polarization off");
     const float strip = std::max({14 * line, std::ceil(text.width(names, size)), std::ceil(text.width(state, size))});
     const glm::vec2 extent(strip + 2 * margin, 3.1f * pitch + 2.3f * line + 2 * margin);
     const glm::vec2 corner(margin, static_cast<float>(screen.height()) - margin - extent.y);

@@ -13,7 +13,8 @@ struct Legend {
     Map map = Map::radiance;
     std::string scene, camera;
     std::uint64_t photons = 0;
-    float exposure = 0;  ///< EV
+    float exposure = 0;        ///< EV
+    bool polarization = true;  ///< off: said in the legend
 };
 
 /// A count in few signs: "950", "1.2e4", "1e7".

@@ -84,8 +84,9 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
         texels.emplace_back(material.albedo, 0.0f);
         texels.emplace_back(material.emission, 0.0f);
         const bool coloured = material.base == Base::lambert || material.base == Base::polarized_diffuse;
-        texels.emplace_back(coloured ? 1.0f : 0.0f, material.alpha, material.alpha_cutoff,
-                            static_cast<float>(chart.material));
+        // Transparent surfaces are left out by a cutoff that nothing reaches: bins hold nothing of them.
+        const float cutoff = material.base == Base::transparent ? 2.0f : material.alpha_cutoff;
+        texels.emplace_back(coloured ? 1.0f : 0.0f, material.alpha, cutoff, static_cast<float>(chart.material));
         texels.emplace_back(passages_.internal_reflectances()[chart.material], 0.0f);
         texels.emplace_back(passages_.base_shares()[chart.material], 0.0f);
         texels.emplace_back(chart.axis_u, 0.0f);
@@ -204,10 +205,15 @@ void Picture::finish() const {
 }
 
 float Picture::exposure_of(const Camera& camera) {
+    const bool polarization = polarization_;
+    set_polarization(false);
     look(camera, 128, 96);
     draws_ = 0;
     draw(4);
-    return auto_exposure(stokes());
+    const float exposure = auto_exposure(stokes());
+    set_polarization(polarization);
+    draws_ = 0;
+    return exposure;
 }
 
 void Picture::present(const Screen& screen, float exposure) const {

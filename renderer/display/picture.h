@@ -56,8 +56,8 @@ class Picture {
     /// the draws' mean as if they were independent: at edges their even spread does several times better.
     Image stokes() const;
 
-    /// auto_exposure of what this camera sees, from a small picture of its own size: the same for every use of the
-    /// bins. Forgets the draws so far.
+    /// auto_exposure of what this camera sees in the unpolarized world, from a small picture of its own size: the same
+    /// for every use of the bins. Forgets the draws so far.
     float exposure_of(const Camera& camera);
 
     /// Fills the screen with the mean of the draws at this exposure in EV, stretched where the sizes differ.

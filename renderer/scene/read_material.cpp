@@ -86,22 +86,6 @@ void set_finish(Material& material, const GltfMaterial& from, const std::string&
     interface.correlation_length = static_cast<float>(kirchhoff ? 2.0 * surface.rms_height / clamped : 0.0);
 }
 
-// The sentence about an interface over the base that only a Lambert surface stands in for; empty if there is none.
-std::string substitute_of(const Material& material) {
-    const std::string lambert = " is not simulated; it is a Lambert surface of its base colour";
-    switch (material.interface.kind) {
-        case InterfaceKind::none:
-            return {};
-        case InterfaceKind::conductor:
-            return "its metal" + lambert;
-        case InterfaceKind::dielectric:
-            break;
-    }
-    if (material.base == Base::transparent) return "its transparency is not simulated; it is a white Lambert surface";
-    return "its glossy interface (refractive index " + short_number(static_cast<double>(material.interface.n.y)) + ")" +
-           lambert;
-}
-
 void set_interface_and_base(Material& material, const GltfMaterial& from, const std::string& subject,
                             std::vector<std::string>& warnings) {
     Interface& interface = material.interface;
@@ -176,10 +160,10 @@ Material read_material(const GltfMaterial& from, std::size_t index, std::vector<
     set_interface_and_base(material, from, subject, warnings);
     set_filter(material, from.surface);
 
-    if (const std::string substitute = substitute_of(material); !substitute.empty())
-        warnings.push_back(subject + substitute);
+    if (material.base == Base::transparent && material.filter.kind == FilterKind::none)
+        warnings.push_back(subject + "light passes it, but pictures from bins look straight through it");
     if (material.filter.kind != FilterKind::none)
-        warnings.push_back(subject + "its filter is not simulated; it is a white Lambert surface");
+        warnings.push_back(subject + "its filter is not simulated; light passes it as it is");
     if (from.alpha_mode == "BLEND") warnings.push_back(subject + "its alpha mode BLEND is not simulated; it is opaque");
     return material;
 }

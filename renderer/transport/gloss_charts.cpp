@@ -7,9 +7,10 @@ GlossCharts gloss_charts_of(const Scene& scene, const std::vector<PreparedMateri
     gloss.index.assign(scene.charts.size(), no_chart);
     for (std::uint32_t chart = 0; chart < scene.charts.size(); ++chart) {
         const PreparedMaterial& material = materials[scene.charts[chart].material];
-        if (!material.reflects() || !material.rough() || material.slope < least_filed_slope) continue;
+        if (!material.reflects() || material.base == Base::transparent) continue;
         gloss.index[chart] = gloss.count();
         gloss.charts.push_back(chart);
+        gloss.coarse.push_back(!material.rough() || material.slope < least_fine_slope);
     }
     return gloss;
 }

@@ -11,14 +11,17 @@ namespace brewster {
 struct GlossCharts {
     std::vector<std::uint32_t> index;   ///< per chart of the scene: its number, or no_chart
     std::vector<std::uint32_t> charts;  ///< per number: the chart
+    std::vector<bool> coarse;           ///< per number: its lobe is too narrow for fine cells
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(charts.size()); }
 };
 
-/// Gloss of a smaller slope m is too narrow for bins: they would need more cells than there are photons.
-inline constexpr float least_filed_slope = 0.0999f;
+/// Gloss of a smaller slope m, and mirrors, are too narrow for bins: these would need more cells than there are photons.
+/// They are filed coarsely, so that nothing that reflects is black.
+inline constexpr float least_fine_slope = 0.0999f;
+inline constexpr std::uint32_t coarse_cell = 1u << 19;  // fixed-point: a 32nd of a chart
 
-/// All charts whose interface is rough enough. `materials`: those of the scene, prepared.
+/// All charts that reflect, but the transparent. `materials`: those of the scene, prepared.
 GlossCharts gloss_charts_of(const Scene& scene, const std::vector<PreparedMaterial>& materials);
 
 }  // namespace brewster

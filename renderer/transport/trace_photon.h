@@ -133,7 +133,9 @@ void deposit_gloss(const TransportContext& context, const Meeting& at, const Vec
     const std::uint32_t gloss_chart = context.bins.gloss_charts.index[at.hit.chart];
     std::array<float, static_cast<std::size_t>((components + 1) * bands)> weights;
     const auto fields = static_cast<std::size_t>(context.bins.gloss_fields.layout().fields);
-    for (std::uint32_t k = 0; k < gloss_deposits; ++k) {
+    const bool coarse = context.bins.gloss_charts.coarse[gloss_chart];
+    const std::uint32_t deposits = at.material->rough() ? gloss_deposits : 1;  // a mirror sends all light one way
+    for (std::uint32_t k = 0; k < deposits; ++k) {
         const std::array<std::uint32_t, 4> words = philox(context.seed, photon, bounce, 2 + k);
         ScatterNumbers<float> numbers;
         numbers.slope = unit_float(words[0]);
@@ -141,11 +143,12 @@ void deposit_gloss(const TransportContext& context, const Meeting& at, const Vec
         numbers.facet_v = unit_float(words[2]);
         numbers.facet_w = unit_float(words[3]);
         const auto sample = sample_gloss<static_cast<std::size_t>(bands)>(*at.material, point, numbers);
-        if (!sample.alive || sample.sharp || !(dot(sample.direction, at.normal) > 0)) continue;
+        if (!sample.alive || (sample.sharp && !coarse) || !(dot(sample.direction, at.normal) > 0)) continue;
         PhotonLight<components, bands> sent = light;
         scatter_by(sample, sent);
         const Vector<float> frame = transported_axis(at.shading_normal, tangent_u, sample.direction);
-        sent.gloss_fields(rotation_between(sample.direction, sample.axis, frame), ratio / gloss_deposits, weights);
+        sent.gloss_fields(rotation_between(sample.direction, sample.axis, frame), ratio / static_cast<float>(deposits),
+                          weights);
         const glm::vec2 square =
             direction_map::direction_square({dot(sample.direction, tangent_u), dot(sample.direction, tangent_v)});
         const BinTree<4>::Point place = {at.hit.u, at.hit.v, chart_fixed_point(square.x), chart_fixed_point(square.y)};

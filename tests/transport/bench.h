@@ -37,7 +37,7 @@ struct Bench {
     }
     // Flux into a chart's base in lumen, one band.
     double flux(std::uint32_t chart, bool direct, std::size_t band) const {
-        const std::size_t channel = (direct ? 0 : band_count) + band;
+        const std::size_t channel = (direct ? 0 : band_count) + band;  // of the polarized world
         const Quanta* row =
             sums.entry.estimate(bins.entry.node(chart).leaf()) + channel * RecordLayout<2>::estimate_stride;
         return to_weight(*row) * emission.mean_power() / static_cast<double>(sums.counts.photons);
