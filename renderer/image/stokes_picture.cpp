@@ -1,0 +1,35 @@
+#include "image/stokes_picture.h"
+
+namespace brewster {
+
+StokesPicture::StokesPicture(int width_in_pixels, int height_in_pixels)
+    : width(width_in_pixels), height(height_in_pixels) {
+    for (std::size_t plane = 0; plane < plane_count; ++plane) {
+        light[plane].resize(pixel_count());
+        variance[plane].resize(pixel_count());
+    }
+    difference_variance.resize(pixel_count());
+}
+
+Image stokes_image(const StokesPicture& picture, bool polarization) {
+    Image image(picture.width, picture.height);
+    const auto fill = [&](std::vector<float>& channel, const std::vector<glm::vec3>& plane, int band) {
+        for (std::size_t pixel = 0; pixel < plane.size(); ++pixel) channel[pixel] = plane[pixel][band];
+    };
+    for (const bool variance : {false, true}) {
+        const auto& planes = variance ? picture.variance : picture.light;
+        for (int component = 0; component < 4; ++component) {
+            for (int band = 0; band < 3; ++band) {
+                std::vector<float>& channel =
+                    image.add_channel(variance ? variance_channel(component, band) : stokes_channel(component, band));
+                if (polarization)
+                    fill(channel, planes[static_cast<std::size_t>(component)], band);
+                else if (component == 0)
+                    fill(channel, planes[static_cast<std::size_t>(Plane::unpolarized)], band);
+            }
+        }
+    }
+    return image;
+}
+
+}  // namespace brewster
