@@ -107,7 +107,6 @@ struct Engine::Impl {
     const KernelChoice kernel;
     Bins bins;
     const TransportContext context;
-    const TracePhoton trace;
 
     mutable std::mutex mutex;
     std::condition_variable work_to_do, something_done;
@@ -149,8 +148,7 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
       kernel(chosen_kernel(*scene, materials, needs, settings)),
       bins(outlines_of(*scene), gloss_charts_of(*scene, materials), entry_fields(kernel, needs),
            GlossFields{kernel.bands, kernel.stokes}, settings.bins),
-      context{*scene, rays, emission, materials, bins, settings.seed, is_coloured(*scene)},
-      trace(kernel_for(kernel)) {
+      context{*scene, rays, emission, materials, bins, settings.seed, is_coloured(*scene)} {
     if (!emission.any()) {
         throw Error("no lamp gives light", scene->name,
                     "add an emissive material or a light of KHR_lights_punctual to the file");
@@ -186,6 +184,7 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 void Engine::Impl::work(unsigned index) {
     if (settings.lowest_priority) yield_to_everybody();
     WorkerSums own(bins);
+    const std::unique_ptr<PhotonTracer> tracer = make_tracer(kernel);
     std::unique_lock lock(mutex);
     while (!quit) {
         std::uint64_t begin = 0, end = 0;
@@ -210,7 +209,7 @@ void Engine::Impl::work(unsigned index) {
         own.fit(bins);
         lock.unlock();
         try {
-            for (std::uint64_t photon = begin; photon < end; ++photon) trace(context, photon, own);
+            tracer->trace(context, begin, end, own);
         } catch (...) {
             const std::lock_guard failed(mutex);
             if (!failure) failure = std::current_exception();

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 
 #include "transport/context.h"
 
@@ -13,10 +14,17 @@ struct KernelChoice {
     bool operator==(const KernelChoice&) const = default;
 };
 
-/// Follows one photon from its lamp until it is absorbed, escapes or loses the roulette. The result depends on the seed
-/// and the photon's index alone.
-using TracePhoton = void (*)(const TransportContext& context, std::uint64_t photon, WorkerSums& sums);
+/// Follows photons from their lamps until they are absorbed, escape or lose the roulette. What a photon tallies depends
+/// on the seed and its index alone. A tracer belongs to one thread: it may keep memory from call to call, but nothing
+/// that a result could depend on.
+class PhotonTracer {
+  public:
+    virtual ~PhotonTracer() = default;
 
-TracePhoton kernel_for(const KernelChoice& choice);
+    /// The photons of [begin, end).
+    virtual void trace(const TransportContext& context, std::uint64_t begin, std::uint64_t end, WorkerSums& sums) = 0;
+};
+
+std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice);
 
 }  // namespace brewster

@@ -15,7 +15,7 @@ struct Bench {
           bins(outlines(scene), gloss_charts_of(scene, materials), {kernel.bands, 1, kernel.stokes > 1 ? 2 : 1},
                {kernel.bands, kernel.stokes}, one_cell()),
           context{scene, rays, emission, materials, bins, seed, !scene.textures.empty()},
-          trace_one(kernel_for(kernel)),
+          tracer(make_tracer(kernel)),
           sums(bins) {
         sums.fit(bins);
     }
@@ -33,7 +33,7 @@ struct Bench {
         return all;
     }
     void trace(std::uint64_t begin, std::uint64_t end) {
-        for (std::uint64_t photon = begin; photon < end; ++photon) trace_one(context, photon, sums);
+        tracer->trace(context, begin, end, sums);
     }
     // Flux into a chart's base in lumen, one band.
     double flux(std::uint32_t chart, bool direct, std::size_t band) const {
@@ -48,7 +48,7 @@ struct Bench {
     std::vector<PreparedMaterial> materials;
     Bins bins;
     TransportContext context;
-    TracePhoton trace_one;
+    std::unique_ptr<PhotonTracer> tracer;
     WorkerSums sums;
 };
 

@@ -47,7 +47,7 @@ TEST(TracePhoton, APhotonDependsOnItsIndexAlone) {
     const auto scene = rooms::read("cornell-box.gltf");
     Bench forward(*scene), backward(*scene);
     forward.trace(0, 500);
-    for (std::uint64_t photon = 500; photon-- > 0;) backward.trace_one(backward.context, photon, backward.sums);
+    for (std::uint64_t photon = 500; photon-- > 0;) backward.trace(photon, photon + 1);
     for (std::uint32_t leaf = 0; leaf < forward.sums.entry.leaves(); ++leaf) {
         EXPECT_EQ(0, std::memcmp(forward.sums.entry.estimate(leaf), backward.sums.entry.estimate(leaf),
                                  sizeof(Quanta) * static_cast<std::size_t>(RecordLayout<2>{}.estimate_size())));

@@ -1,8 +1,8 @@
-#include "transport/trace_photon.h"
+#include "transport/scalar/trace_photon.h"
 
 namespace brewster::transport {
 
-template void trace_photon<1, 1, false>(const TransportContext&, std::uint64_t, WorkerSums&);
-template void trace_photon<1, 1, true>(const TransportContext&, std::uint64_t, WorkerSums&);
+template std::unique_ptr<PhotonTracer> scalar_tracer<1, 1, false>();
+template std::unique_ptr<PhotonTracer> scalar_tracer<1, 1, true>();
 
 }  // namespace brewster::transport

@@ -11,9 +11,11 @@
 #include "transport/context.h"
 #include "transport/deposit.h"
 #include "transport/emitted_light.h"
+#include "transport/kernel.h"
 #include "transport/path.h"
 
-/// Transport of one photon at a time, written to be read; compiled once for each kernel (kernels/).
+/// Transport of one photon at a time, written to be read; compiled once for each kernel (kernels/). What ships moves
+/// photons in blocks and gives the same bits: this is its oracle.
 namespace brewster::transport {
 
 inline constexpr std::uint32_t bounce_limit = 1u << 16;  // no room is this bright; what is left there is booked as cut
@@ -284,6 +286,19 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, WorkerS
         if (bounce + 1 == bounce_limit) book(sums.ledger.cut, light);
     }
     if (useful) ++sums.counts.useful;
+}
+
+template <int components, int bands, bool gloss>
+class ScalarTracer : public PhotonTracer {
+    void trace(const TransportContext& context, std::uint64_t begin, std::uint64_t end, WorkerSums& sums) override {
+        for (std::uint64_t photon = begin; photon < end; ++photon)
+            trace_photon<components, bands, gloss>(context, photon, sums);
+    }
+};
+
+template <int components, int bands, bool gloss>
+std::unique_ptr<PhotonTracer> scalar_tracer() {
+    return std::make_unique<ScalarTracer<components, bands, gloss>>();
 }
 
 }  // namespace brewster::transport
