@@ -52,6 +52,21 @@ void add_scene(CLI::App& verb, std::string& scene) {
     verb.add_option("scene", scene, "A .gltf or .glb file")->required()->type_name("SCENE");
 }
 
+void add_settings(CLI::App& verb, std::vector<Setting>& settings) {
+    verb.add_option_function<std::vector<std::string>>(
+            "--set",
+            [&settings](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    const std::optional<Setting> setting = parse_setting(text);
+                    if (!setting) refuse("--set", text, "of the form MATERIAL.PROPERTY=VALUE");
+                    settings.push_back(*setting);
+                }
+            },
+            "Change a material or lamp of the scene, like 'floor.roughness=0.3'; may be repeated")
+        ->type_name("MATERIAL.PROPERTY=VALUE")
+        ->allow_extra_args(false);
+}
+
 void add_threads_and_seed(CLI::App& verb, unsigned& threads, std::uint64_t& seed) {
     add_whole_number(verb, "--threads", "Threads that trace (default: as many as the machine has)", 1, 1024,
                      [&threads](std::uint64_t count) { threads = static_cast<unsigned>(count); })
@@ -111,6 +126,7 @@ void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, c
 
 void add_solve_options(CLI::App& verb, SolveOptions& options) {
     add_scene(verb, options.scene);
+    add_settings(verb, options.settings);
     add_trace_options(verb, options.stop, options.engine, "1e7");
     add_json(verb, options.json);
 }
@@ -215,6 +231,7 @@ void add_compare_options(CLI::App& verb, CompareOptions& options) {
 
 void add_reference_options(CLI::App& verb, ReferenceOptions& options) {
     add_scene(verb, options.scene);
+    add_settings(verb, options.settings);
     verb.add_option("--camera", options.camera, "A camera of the scene (default: its first)")->type_name("NAME");
     add_size(verb, options.size);
     add_whole_number(verb, "--spp",
@@ -297,6 +314,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     program.add_option("scene", open.scene, "A .gltf or .glb file to look at (default: the Cornell box)")
         ->type_name("SCENE");
     program.add_flag("--headless", open.headless, "Write pictures of all cameras instead of opening a window");
+    add_settings(program, open.settings);
     add_trace_options(program, open.stop, open.engine, "never in the window, 1e7 for pictures");
 
     CLI::App* solve_verb = program.add_subcommand("solve", "Trace photons and report what they found");
@@ -313,6 +331,7 @@ Command parse_command_line(int argc, const char* const* argv) {
 
     CLI::App* info_verb = program.add_subcommand("info", "Say what a scene holds and what is not simulated");
     add_scene(*info_verb, info.scene);
+    add_settings(*info_verb, info.settings);
     add_json(*info_verb, info.json);
     info_verb->footer("Example: brewster info assets/scenes/cornell-box.gltf");
 

@@ -6,7 +6,8 @@
 namespace brewster {
 
 void info(const InfoOptions& options) {
-    const Scene scene = read_scene(options.scene);
+    Scene scene = read_scene(options.scene);
+    apply_settings(scene, options.settings);
     print_result(options.json ? info_report(scene) : scene_summary(scene));
 }
 

@@ -44,7 +44,7 @@ void show(Window& window, const std::shared_ptr<const Scene>& scene, const OpenO
 }  // namespace
 
 void open_scene(const OpenOptions& options) {
-    const std::shared_ptr<const Scene> scene = load_scene(options.scene);
+    const std::shared_ptr<const Scene> scene = load_scene(options.scene, options.settings);
     std::string obstacle = "--headless was asked for";
     if (!options.headless) {
         if (const std::unique_ptr<Window> window = open_window(*scene, obstacle)) {

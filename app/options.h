@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/numbers.h"
+#include "app/settings.h"
 #include "display/maps.h"
 #include "engine/engine.h"
 #include "image/compare.h"
@@ -15,7 +16,8 @@ namespace brewster {
 inline constexpr std::uint64_t default_photons = 10'000'000;
 
 struct SolveOptions {
-    std::string scene;  ///< path of a .gltf or .glb file; empty: the scene in the binary
+    std::string scene;              ///< path of a .gltf or .glb file; empty: the scene in the binary
+    std::vector<Setting> settings;  ///< changes of its materials and lamps
     StopRule stop;
     EngineSettings engine;
     bool json = false;
@@ -37,11 +39,13 @@ inline constexpr int default_picture_height = 480;
 
 struct InfoOptions {
     std::string scene;
+    std::vector<Setting> settings;
     bool json = false;
 };
 
 struct ReferenceOptions {
     std::string scene;
+    std::vector<Setting> settings;
     std::string camera;                ///< empty: the first
     std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
     std::optional<std::uint64_t> spp;  ///< samples for each pixel
@@ -69,7 +73,8 @@ struct CompareOptions {
 /// The program without a verb.
 struct OpenOptions {
     std::string scene;  ///< empty: the scene in the binary
-    StopRule stop;      ///< empty: a window goes on for ever, pictures take default_photons
+    std::vector<Setting> settings;
+    StopRule stop;  ///< empty: a window goes on for ever, pictures take default_photons
     EngineSettings engine;
     bool headless = false;  ///< draw pictures even where a window could be opened
 };

@@ -54,7 +54,7 @@ std::string summary(const ReferenceResult& result) {
 
 void make_reference(const ReferenceOptions& options) {
     if (options.json) log_only_warnings();
-    const auto scene = load_scene(options.scene);
+    const auto scene = load_scene(options.scene, options.settings);
     const Camera& camera = options.camera.empty() ? scene->cameras.front() : scene->camera(options.camera);
     if (!is_exr(options.out)) throw Error("it is no EXR picture", options.out, "give --out a name that ends in .exr");
     if (scene->lamps.empty()) throw Error("it has no lamp", scene->name, "add a lamp or a material that emits");

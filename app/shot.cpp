@@ -9,7 +9,7 @@ namespace brewster {
 
 void shot(const ShotOptions& options) {
     if (options.solve.json) log_only_warnings();
-    shot(load_scene(options.solve.scene), options);
+    shot(load_scene(options.solve.scene, options.solve.settings), options);
 }
 
 void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options) {

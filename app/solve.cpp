@@ -30,7 +30,7 @@ std::string summary(const SolveResult& result) {
 
 void solve(const SolveOptions& options) {
     if (options.json) log_only_warnings();
-    Engine engine(load_scene(options.scene), options.engine);
+    Engine engine(load_scene(options.scene, options.settings), options.engine);
     trace(engine, options.stop);
     const SolveResult result = result_of(engine);
     print_result(options.json ? solve_report(result) : summary(result));

@@ -12,9 +12,10 @@
 
 namespace brewster {
 
-std::shared_ptr<const Scene> load_scene(const std::string& path) {
-    auto scene = std::make_shared<const Scene>(path.empty() ? read_scene_text(embedded::default_scene(), "cornell-box")
-                                                            : read_scene(path));
+std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vector<Setting>& settings) {
+    auto scene = std::make_shared<Scene>(path.empty() ? read_scene_text(embedded::default_scene(), "cornell-box")
+                                                      : read_scene(path));
+    apply_settings(*scene, settings);
     for (const std::string& warning : scene->warnings) log_warning(warning);
     return scene;
 }

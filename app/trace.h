@@ -8,8 +8,9 @@
 
 namespace brewster {
 
-/// Reads the scene (an empty path: the one in the binary) and passes its warnings on, as warnings of the program.
-std::shared_ptr<const Scene> load_scene(const std::string& path);
+/// Reads the scene (an empty path: the one in the binary), changes it as wished, and passes its warnings on, as warnings
+/// of the program.
+std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vector<Setting>& settings);
 
 /// Traces until the rule holds (an empty one: default_photons) or someone presses Ctrl+C, with a progress bar where
 /// standard error is a terminal. Throws Error when not a single photon was traced.

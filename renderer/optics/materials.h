@@ -27,4 +27,11 @@ inline constexpr std::array<OpticalConstants, 9> named_materials{{
     {"copper", {0.355, 1.016, 1.247}, {3.136, 2.579, 2.456}, "Johnson and Christy 1972, doi:10.1103/PhysRevB.6.4370"},
 }};
 
+/// The medium of that name, or null.
+constexpr const OpticalConstants* find_medium(std::string_view name) {
+    for (const OpticalConstants& medium : named_materials)
+        if (medium.name == name) return &medium;
+    return nullptr;
+}
+
 }  // namespace brewster

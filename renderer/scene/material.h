@@ -7,6 +7,9 @@
 
 namespace brewster {
 
+inline constexpr double steepest_slope = 0.8;  ///< m beyond which the lobes' theory does not hold
+inline constexpr double least_index = 1.01;    ///< closer to air, an interface reflects less than 3e-5
+
 enum class InterfaceKind : std::uint8_t { none, dielectric, conductor };
 enum class Finish : std::uint8_t { smooth, beckmann, kirchhoff };
 

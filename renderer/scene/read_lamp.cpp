@@ -36,10 +36,12 @@ Lamp read_lamp(const GltfLight& from, const std::string& name, const glm::dmat4&
     return lamp;
 }
 
-void complete_lamps(Scene& scene) {
-    for (Lamp& lamp : scene.lamps)
-        if (lamp.kind == LampKind::sun)
-            lamp.power = sun_rectangle(scene.low, scene.high, lamp.direction).area * lamp.intensity;
+glm::vec3 sun_power(const Scene& scene, const Lamp& sun) {
+    return sun_rectangle(scene.low, scene.high, sun.direction).area * sun.intensity;
+}
+
+void renew_area_lamps(Scene& scene) {
+    std::erase_if(scene.lamps, [](const Lamp& lamp) { return lamp.kind == LampKind::area; });
     for (std::uint32_t i = 0; i < scene.charts.size(); ++i) {
         const Chart& chart = scene.charts[i];
         const Material& material = scene.materials[chart.material];
@@ -52,6 +54,12 @@ void complete_lamps(Scene& scene) {
         lamp.direction = chart.normal;
         scene.lamps.push_back(lamp);
     }
+}
+
+void complete_lamps(Scene& scene) {
+    for (Lamp& lamp : scene.lamps)
+        if (lamp.kind == LampKind::sun) lamp.power = sun_power(scene, lamp);
+    renew_area_lamps(scene);
 }
 
 }  // namespace brewster

@@ -13,7 +13,13 @@ namespace brewster {
 Lamp read_lamp(const GltfLight& from, const std::string& name, const glm::dmat4& to_scene,
                std::vector<std::string>& warnings);
 
-/// Adds an area lamp for each chart whose material emits, and sets the suns' powers from the bounds.
+/// Lumen per band that a sun sends into the scene's bounds.
+glm::vec3 sun_power(const Scene& scene, const Lamp& sun);
+
+/// Replaces the area lamps by one for each chart whose material emits.
+void renew_area_lamps(Scene& scene);
+
+/// Adds the area lamps, and sets the suns' powers from the bounds.
 void complete_lamps(Scene& scene);
 
 }  // namespace brewster

@@ -12,8 +12,6 @@
 namespace brewster {
 namespace {
 
-constexpr double steepest = 0.8;      // slope m beyond which the lobes' theory does not hold
-constexpr double least_index = 1.01;  // closer to air, an interface reflects less than 3e-5
 constexpr double highest_reflectance = 0.99;
 
 std::string short_number(double x) {
@@ -76,8 +74,8 @@ void set_finish(Material& material, const GltfMaterial& from, const std::string&
     const double slope =
         kirchhoff ? 2.0 * surface.rms_height / surface.correlation_length : from.roughness * from.roughness;
     if (slope == 0.0) return;
-    const double clamped = std::min(slope, steepest);
-    if (slope > steepest)
+    const double clamped = std::min(slope, steepest_slope);
+    if (slope > steepest_slope)
         warnings.push_back(subject + "its roughness is taken as m = 0.8, the steepest that is simulated, instead of " +
                            short_number(slope));
     interface.finish = kirchhoff ? Finish::kirchhoff : Finish::beckmann;

@@ -40,6 +40,7 @@ inline Material beckmann(Material material, float slope) {
 /// Micrometres.
 inline Material kirchhoff(Material material, float rms_height, float correlation_length) {
     material.interface.finish = Finish::kirchhoff;
+    material.interface.slope = 2 * rms_height / correlation_length;
     material.interface.rms_height = rms_height;
     material.interface.correlation_length = correlation_length;
     return material;
