@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/albedo.h"
+#include "scene/filter_axis.h"
 
 namespace brewster {
 namespace {
@@ -31,6 +32,7 @@ Surroundings::Met Surroundings::met_by(const Hit& hit) const {
     vertex.triangle = hit.triangle;
     vertex.inside = vertex.material->base == Base::transparent && !vertex.material->thin &&
                     hit.chart == scene.triangles[hit.triangle].back_chart;
+    if (vertex.material->filter != FilterKind::none) vertex.filter_axis = filter_axis(*vertex.material, chart);
     vertex.distance = static_cast<double>(hit.distance);
     vertex.tinted = vertex.material->diffuse() &&
                     (!scene.vertex_colors.empty() || scene.materials[chart.material].texture != no_texture);

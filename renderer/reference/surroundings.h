@@ -17,7 +17,8 @@ struct Vertex {
     std::uint32_t chart = no_chart, triangle = no_triangle;
     bool inside = false;  ///< of a closed transparent body, whose skin was hit
     double distance = 0;
-    bool tinted = false;  ///< by a texture or the corners' colours: the base lobe is multiplied by `tint`
+    Vector<double> filter_axis{};  ///< of a filter sheet
+    bool tinted = false;           ///< by a texture or the corners' colours: the base lobe is multiplied by `tint`
     std::array<double, band_count> tint = {1, 1, 1};
 };
 
@@ -25,8 +26,8 @@ struct Vertex {
 template <Use use>
 ScatterSample<double, band_count> sample_at(const Vertex& vertex, const Vector<double>& towards,
                                             const Vector<double>& carried_axis, const ScatterNumbers<double>& numbers) {
-    auto sample = sample_bsdf<use, band_count>(
-        *vertex.material, SurfacePoint<double>{towards, carried_axis, vertex.shading_normal, vertex.inside}, numbers);
+    const SurfacePoint<double> point{towards, carried_axis, vertex.shading_normal, vertex.inside, vertex.filter_axis};
+    auto sample = sample_bsdf<use, band_count>(*vertex.material, point, numbers);
     if (vertex.tinted && sample.base)
         for (std::size_t band = 0; band < band_count; ++band)
             sample.weight[band] = vertex.tint[band] * sample.weight[band];

@@ -26,10 +26,11 @@ using MaskOf = decltype(std::declval<Real>() < std::declval<Real>());
 /// Where a path meets a surface.
 template <class Real>
 struct SurfacePoint {
-    Vector<Real> towards;       ///< unit, away from the surface: where the path comes from
-    Vector<Real> carried_axis;  ///< of that segment; unit, orthogonal to it
-    Vector<Real> normal;        ///< unit, shading normal of the side that was hit
-    bool inside = false;        ///< the path runs inside a closed transparent body, whose skin it meets
+    Vector<Real> towards;        ///< unit, away from the surface: where the path comes from
+    Vector<Real> carried_axis;   ///< of that segment; unit, orthogonal to it
+    Vector<Real> normal;         ///< unit, shading normal of the side that was hit
+    bool inside = false;         ///< the path runs inside a closed transparent body, whose skin it meets
+    Vector<Real> filter_axis{};  ///< of a filter sheet (scene/filter_axis.h)
 };
 
 /// Uniform numbers in [0, 1) for one event. Smooth surfaces look at the first three only.
@@ -239,6 +240,29 @@ ScatterSample<Real, bands> sample_transparent(const PreparedMaterial& material, 
     return sample;
 }
 
+/// A polarizer or retarder sheet: light goes straight on. Its axis is that of the sheet less its part along the light,
+/// and its matrix the same for light from either side (theory 1.3). Of unpolarized light a polarizer passes half.
+template <std::size_t bands, class Real>
+ScatterSample<Real, bands> sample_filter(const PreparedMaterial& material, const SurfacePoint<Real>& at) {
+    ScatterSample<Real, bands> sample;
+    const Vector<Real> onwards = -at.towards;
+    sample.direction = onwards;
+    sample.axis = axis_across(onwards, cross(at.filter_axis, onwards));  // d x (a x d) = a - (a.d) d
+    sample.turn = rotation_between(onwards, at.carried_axis, sample.axis);
+    const Real half = constant<Real>(0.5), none(0), one(1);
+    for (std::size_t band = 0; band < bands; ++band) {
+        const SineCosine<double>& shift = material.retardance[band];
+        sample.weight[band] =
+            material.filter == FilterKind::polarizer
+                ? PlanarMueller<Real>{half, half, half, half, none, none}
+                : PlanarMueller<Real>{one, none, none, one, constant<Real>(shift.cosine), constant<Real>(-shift.sine)};
+    }
+    sample.pdf = none;
+    sample.alive = sample.sharp = sample.refracted = dot(at.towards, at.normal) > Real(-2);
+    sample.base = dot(at.towards, at.normal) < Real(-2);
+    return sample;
+}
+
 template <std::size_t bands, class Real>
 ScatterSample<Real, bands> select_sample(const MaskOf<Real>& mask, const ScatterSample<Real, bands>& a,
                                          const ScatterSample<Real, bands>& b) {
@@ -278,7 +302,9 @@ ScatterSample<Real, bands> sample_bsdf(const PreparedMaterial& material, const S
     const PlaneOfIncidence<Real> plane = plane_of_incidence(-at.towards, at.carried_axis, at.normal);
     const auto above = dot(at.towards, at.normal) > constant<Real>(1e-6);
     ScatterSample<Real, bands> sample;
-    if (material.base == Base::transparent) {
+    if (material.filter != FilterKind::none) {
+        sample = sample_filter<bands>(material, at);
+    } else if (material.base == Base::transparent) {
         sample = sample_transparent<use, bands>(material, at, plane, numbers);
     } else if (!material.reflects()) {
         sample = sample_base<use, bands>(material, at, plane, numbers);

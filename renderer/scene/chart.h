@@ -25,7 +25,8 @@ struct Chart {
     glm::vec3 axis_u{1, 0, 0}, axis_v{0, 1, 0}, normal{0, 0, 1};  ///< right-handed, unit
     float size_u = 1, size_v = 1;                                 ///< metres
     double area = 0;                                              ///< m2, of the triangles
-    bool curved = false;  ///< a patch: the triangles' own normals are within 60 degrees of `normal`
+    glm::vec3 sheet_x{0.0f}, sheet_y{0.0f};  ///< axes that a filter's angle counts by, unit, the same for both sides
+    bool curved = false;                     ///< a patch: the triangles' own normals are within 60 degrees of `normal`
 
     glm::vec2 unit_coordinates(glm::vec3 position) const;  ///< (u, v); outside [0, 1] beyond the rectangle
     Frame frame() const { return {axis_u, axis_v, normal}; }

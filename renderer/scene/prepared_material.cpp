@@ -1,5 +1,6 @@
 #include "scene/prepared_material.h"
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "base/check.h"
@@ -16,6 +17,9 @@ void check(const Material& material) {
     BREWSTER_CHECK(material.base != Base::transparent || (interface.kind != InterfaceKind::conductor && smooth),
                    material.name);
     BREWSTER_CHECK(interface.present() || smooth, material.name);
+    BREWSTER_CHECK(material.filter.kind == FilterKind::none ||
+                       (material.base == Base::transparent && material.thin && !interface.present()),
+                   material.name);
     BREWSTER_CHECK(interface.finish != Finish::beckmann || interface.slope > 0, material.name);
     BREWSTER_CHECK(
         interface.finish != Finish::kirchhoff || (interface.rms_height > 0 && interface.correlation_length > 0),
@@ -42,6 +46,13 @@ PreparedMaterial::PreparedMaterial(const Material& material, std::shared_ptr<con
         phase[band] = static_cast<float>(4e3 * pi * static_cast<double>(from.rms_height) / band_wavelength_nm[band]);
     }
     refracting_n = (n[0] + n[1] + n[2]) / 3.0f;
+    filter = material.filter.kind;
+    const auto angle = static_cast<double>(material.filter.angle);
+    filter_turn = {std::sin(angle), std::cos(angle)};
+    for (std::size_t band = 0; band < band_count; ++band) {
+        const auto phase_shift = static_cast<double>(material.filter.retardance[static_cast<int>(band)]);
+        retardance[band] = {std::sin(phase_shift), std::cos(phase_shift)};
+    }
     if (!diffuse()) return;
 
     for (std::size_t band = 0; band < band_count; ++band) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "optics/rough_interface.h"
 #include "scene/material.h"
@@ -32,6 +33,9 @@ class PreparedMaterial {
     std::array<float, band_count> internal_reflectance{};  ///< Fi: of light that would leave the base
     std::array<float, band_count> inner_return{};          ///< rho Fi: what one bounce inside the base brings back
     glm::vec3 emission{0.0f};                              ///< cd/m2, unpolarized, the same in all directions
+    FilterKind filter = FilterKind::none;                  ///< a sheet without an interface
+    SineCosine<double> filter_turn{0, 1};                  ///< of its angle
+    std::array<SineCosine<double>, band_count> retardance{};
 
     bool rough() const { return finish != Finish::smooth; }
     /// Light can enter and come back depolarized.

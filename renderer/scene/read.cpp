@@ -34,6 +34,7 @@ struct MeshPart {
     std::size_t node = 0;
     std::string node_name, mesh_name;
     std::uint32_t material = 0;
+    glm::dvec3 axis_x{1, 0, 0}, axis_y{0, 1, 0};  // of the node
     PlacedPrimitive placed;
 };
 
@@ -158,7 +159,8 @@ class Reader {
                 other_modes = true;
                 continue;
             }
-            MeshPart part{placed.index, name, mesh.name, 0, {}};
+            MeshPart part{
+                placed.index, name, mesh.name, 0, glm::dvec3(placed.to_world[0]), glm::dvec3(placed.to_world[1]), {}};
             part.material =
                 primitive.material < 0 ? default_material_index() : static_cast<std::uint32_t>(primitive.material);
             part.placed = place_primitive(file_, primitive, place, base_use(part.material).set);
@@ -247,7 +249,7 @@ class Reader {
             const auto [at, is_new] =
                 known.try_emplace({from.node, from.material, placed.normals.empty()}, parts.size());
             if (is_new) {
-                parts.push_back({from.node_name, from.mesh_name, from.material, {}, {}, {}});
+                parts.push_back({from.node_name, from.mesh_name, from.material, {}, {}, {}, from.axis_x, from.axis_y});
                 looks.emplace_back();
             }
             Part& part = parts[at->second];

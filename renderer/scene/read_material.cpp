@@ -160,8 +160,6 @@ Material read_material(const GltfMaterial& from, std::size_t index, std::vector<
 
     if (material.base == Base::transparent && material.filter.kind == FilterKind::none)
         warnings.push_back(subject + "light passes it, but pictures from bins look straight through it");
-    if (material.filter.kind != FilterKind::none)
-        warnings.push_back(subject + "its filter is not simulated; light passes it as it is");
     if (from.alpha_mode == "BLEND") warnings.push_back(subject + "its alpha mode BLEND is not simulated; it is opaque");
     return material;
 }

@@ -86,6 +86,16 @@ std::vector<Group> groups_of(const Part& part, const std::vector<std::array<std:
     return groups;
 }
 
+// The node's x axis along the plane; where that stands across it, the y axis.
+void set_sheet_axes(Chart& chart, const Part& part, const glm::dvec3& normal) {
+    const auto along = [&](const glm::dvec3& axis) { return axis - glm::dot(axis, normal) * normal; };
+    const glm::dvec3 first = along(part.axis_x);
+    const glm::dvec3 x = glm::length(first) > 1e-6 * glm::length(part.axis_x) ? first : along(part.axis_y);
+    if (!(glm::length(x) > 0)) return;
+    chart.sheet_x = glm::vec3(glm::normalize(x));
+    chart.sheet_y = glm::vec3(glm::cross(normal, glm::normalize(x)));
+}
+
 // A right-handed frame on the plane with the smallest rectangle around the triangles.
 Chart chart_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>& triangles, const Group& group) {
     const PlaneGroup& plane = group.plane;
@@ -114,6 +124,7 @@ Chart chart_of(const Part& part, const std::vector<std::array<std::uint32_t, 3>>
     chart.size_v = static_cast<float>(box.width);
     chart.area = area;
     chart.curved = group.curved;
+    set_sheet_axes(chart, part, n);
     return chart;
 }
 

@@ -16,6 +16,7 @@ struct Part {
     std::vector<glm::vec3> vertices;
     std::vector<glm::vec3> normals;  ///< of the vertices, unit; none: the mesh is flat, facet by facet
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    glm::dvec3 axis_x{1, 0, 0}, axis_y{0, 1, 0};  ///< of the node, in the scene: filters turn from them
 };
 
 /// Adds a part's vertices and triangles to the scene, patch by patch (scene/patches.h) and plane by plane, each with a

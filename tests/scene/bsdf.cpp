@@ -26,7 +26,7 @@ ScatterNumbers<double> numbers(RandomLight& random) {
 
 SurfacePoint<double> point(RandomLight& random, const Vector<double>& towards, bool inside = false) {
     const Vector<double> other = random.direction();
-    return {towards, normalized(cross(towards, other)), up, inside};
+    return {towards, normalized(cross(towards, other)), up, inside, {0.6, 0.8, 0}};
 }
 
 Light random_state(RandomLight& random) {
@@ -174,7 +174,7 @@ Albedo albedo(const PreparedMaterial& material, double cosine, bool inside, Rand
     Albedo sum;
     std::array<double, bands> squares{};
     for (int n = 0; n < draws; ++n) {
-        SurfacePoint<double> at{above(cosine), {}, up, inside};
+        SurfacePoint<double> at{above(cosine), {}, up, inside, {0.6, 0.8, 0}};
         at.carried_axis = plane_of_incidence(-at.towards, normalized(cross(at.towards, random.direction())), up).axis;
         const auto sample = sample_bsdf<use, bands>(material, at, numbers(random));
         if (!sample.alive) continue;
@@ -346,7 +346,8 @@ TEST(Bsdf, LanesHaveTheBitsOfFloats) {
                 const auto vector = [](const Vector<double>& v) {
                     return Vector<float>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
                 };
-                at[lane] = {vector(exact.towards), vector(exact.carried_axis), vector(exact.normal), false};
+                at[lane] = {vector(exact.towards), vector(exact.carried_axis), vector(exact.normal), false,
+                            vector(exact.filter_axis)};
                 drawn[lane] = {random.unit_float(), random.unit_float(), random.unit_float(), random.unit_float(),
                                random.unit_float(), random.unit_float(), random.unit_float()};
                 const auto put = [lane](FloatLanes& to, float from) { to[lane] = from; };
@@ -356,6 +357,7 @@ TEST(Bsdf, LanesHaveTheBitsOfFloats) {
                 put3(batch.towards, at[lane].towards);
                 put3(batch.carried_axis, at[lane].carried_axis);
                 put3(batch.normal, at[lane].normal);
+                put3(batch.filter_axis, at[lane].filter_axis);
                 put(batch_drawn.choice, drawn[lane].choice);
                 put(batch_drawn.exit_u, drawn[lane].exit_u);
                 put(batch_drawn.exit_v, drawn[lane].exit_v);

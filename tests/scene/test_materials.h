@@ -57,6 +57,15 @@ inline Material pane() {
     return material;
 }
 
+inline Material filter(FilterKind kind, float angle, glm::vec3 retardance = glm::vec3(0.0f)) {
+    Material material;
+    material.base = Base::transparent;
+    material.albedo = glm::vec3(0.0f);
+    material.thin = true;
+    material.filter = {kind, angle, retardance};
+    return material;
+}
+
 /// All of them; the names say what failed.
 inline std::vector<Material> all() {
     const glm::vec3 dispersive{1.50f, 1.52f, 1.56f};
@@ -72,7 +81,9 @@ inline std::vector<Material> all() {
             named(kirchhoff(gold(), 0.03f, 0.5f), "Kirchhoff gold"),
             named(kirchhoff(dielectric(Base::polarized_diffuse), 0.1f, 1.5f), "Kirchhoff plastic"),
             named(dielectric(Base::transparent), "glass"),
-            named(pane(), "pane")};
+            named(pane(), "pane"),
+            named(filter(FilterKind::polarizer, 0.3f), "polarizer"),
+            named(filter(FilterKind::retarder, 1.1f, {1.5f, 1.7f, 2.0f}), "retarder")};
 }
 
 }  // namespace brewster::test_materials

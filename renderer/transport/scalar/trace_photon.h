@@ -7,6 +7,7 @@
 #include "bins/direction_map.h"
 #include "scene/albedo.h"
 #include "scene/bsdf.h"
+#include "scene/filter_axis.h"
 #include "scene/shading_normal.h"
 #include "transport/context.h"
 #include "transport/deposit.h"
@@ -131,7 +132,7 @@ void deposit_gloss(const TransportContext& context, const Meeting& at, const Vec
     const Vector<float> mean_normal = float_vector(chart.normal);
     const Vector<float> tangent_u = transported_axis(mean_normal, float_vector(chart.axis_u), at.shading_normal);
     const Vector<float> tangent_v = transported_axis(mean_normal, float_vector(chart.axis_v), at.shading_normal);
-    const SurfacePoint<float> point{-direction, light.axis, at.shading_normal, false};
+    const SurfacePoint<float> point{-direction, light.axis, at.shading_normal, false, {}};
     const std::uint32_t gloss_chart = context.bins.gloss_charts.index[at.hit.chart];
     std::array<float, static_cast<std::size_t>((components + 1) * bands)> weights;
     const auto fields = static_cast<std::size_t>(context.bins.gloss_fields.layout().fields);
@@ -166,7 +167,11 @@ template <int components, int bands>
 bool scatter(const TransportContext& context, const Meeting& at, const ScatterNumbers<float>& numbers, Ray& ray,
              PhotonLight<components, bands>& light, WorkerSums& sums) {
     const Vector<float> direction = float_vector(ray.direction);
-    const SurfacePoint<float> point{-direction, light.axis, at.shading_normal, at.inside};
+    SurfacePoint<float> point{-direction, light.axis, at.shading_normal, at.inside, {}};
+    if (at.material->filter != FilterKind::none) {
+        const Vector<double> axis = filter_axis(*at.material, context.scene.charts[at.hit.chart]);
+        point.filter_axis = float_vector(coordinates_of(axis));
+    }
     const ScatterSample<float, static_cast<std::size_t>(bands)> sample =
         sample_bsdf<Use::light, static_cast<std::size_t>(bands)>(*at.material, point, numbers);
     const PhotonLight<components, bands> before = light;
