@@ -24,8 +24,8 @@ std::string summary(const PictureDifference& difference) {
                     significant(band.mean_a, 5) + " against " + significant(band.mean_b, 5) + ", bias " +
                     significant(band.bias);
             if (band.bias_standard_error) text += " +- " + significant(*band.bias_standard_error);
-            text +=
-                ", rmse " + significant(band.rmse) + ", relative rmse " + significant(100 * band.relative_rmse) + " %";
+            text += ", rmse " + significant(band.rmse) + " (" + significant(band.rmse_beyond_noise) +
+                    " beyond noise), relative rmse " + significant(100 * band.relative_rmse) + " %";
             text += ", half of it below " + significant(100 * band.percentiles[0]) + " %, 99 % below " +
                     significant(100 * band.percentiles[2]) + " %\n";
         }

@@ -135,9 +135,13 @@ Json chart_object(const Scene& scene, const Chart& chart) {
 }
 
 Json band_object(const BandDifference& band) {
-    Json object = {{"mean", band.mean_a}, {"reference_mean", band.mean_b},
-                   {"rmse", band.rmse},   {"relative_rmse", band.relative_rmse},
-                   {"bias", band.bias},   {"bias_standard_error", nullptr}};
+    Json object = {{"mean", band.mean_a},
+                   {"reference_mean", band.mean_b},
+                   {"rmse", band.rmse},
+                   {"rmse_beyond_noise", band.rmse_beyond_noise},
+                   {"relative_rmse", band.relative_rmse},
+                   {"bias", band.bias},
+                   {"bias_standard_error", nullptr}};
     if (band.bias_standard_error) object["bias_standard_error"] = *band.bias_standard_error;
     Json percentiles = Json::object();
     for (std::size_t k = 0; k < difference_percentiles.size(); ++k)

@@ -3,13 +3,6 @@
 #include "base/check.h"
 
 namespace brewster {
-namespace {
-
-bool is_variance(const std::string& channel) {
-    return channel.size() == 4 && channel[0] == 'V' && channel[2] == '.';
-}
-
-}  // namespace
 
 Blocks block_means(const Image& image, int side, std::span<const std::uint8_t> mask) {
     BREWSTER_CHECK(side >= 1, std::to_string(side));
@@ -35,7 +28,7 @@ Blocks block_means(const Image& image, int side, std::span<const std::uint8_t> m
         std::vector<float>& means = blocks.image.add_channel(name);
         for (std::size_t b = 0; b < sums.size(); ++b)
             if (counts[b] > 0)
-                means[b] = static_cast<float>(sums[b] / counts[b] / (is_variance(name) ? counts[b] : 1.0));
+                means[b] = static_cast<float>(sums[b] / counts[b] / (is_variance_channel(name) ? counts[b] : 1.0));
     }
     return blocks;
 }

@@ -81,6 +81,7 @@ BandDifference difference(const Channels& channels, double floor, const std::vec
     result.mean_a = mean(channels.a, region);
     result.mean_b = mean(channels.b, region);
     result.rmse = std::sqrt(squares / n);
+    result.rmse_beyond_noise = std::sqrt(std::max(0.0, (squares - variance) / n));
     result.relative_rmse = std::sqrt(std::max(0.0, relative_squares / n));
     result.bias = bias / n;
     result.percentiles = percentiles_of(std::move(relative));

@@ -17,6 +17,9 @@ inline constexpr double default_epsilon = 0.01;
 struct BandDifference {
     double mean_a = 0, mean_b = 0;
     double rmse = 0;  ///< sqrt(mean((a - b)^2)), in the picture's unit
+    /// The same with the variances of both pictures subtracted (one that has none counts as exact): what they really
+    /// differ in. A negative rest counts as 0.
+    double rmse_beyond_noise = 0;
     /// sqrt(mean(((a - b)^2 - variance of b) / (b^2 + e^2))), e = epsilon times b's mean S0 in the region.
     double relative_rmse = 0;
     double bias = 0;  ///< mean(a - b)

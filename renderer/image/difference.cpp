@@ -37,7 +37,7 @@ Image difference_image(const Image& a, const Image& b) {
     Image result(a.width(), a.height());
     for (const std::string& name : a.channel_names()) {
         if (!b.has(name)) continue;
-        const float sign = name[0] == 'V' ? 1.0f : -1.0f;
+        const float sign = is_variance_channel(name) ? 1.0f : -1.0f;
         const std::vector<float>&x = a.channel(name), &y = b.channel(name);
         std::vector<float>& pixels = result.add_channel(name);
         for (std::size_t i = 0; i < x.size(); ++i) pixels[i] = x[i] + sign * y[i];

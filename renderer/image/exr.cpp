@@ -8,6 +8,10 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
 #include "base/check.h"
 #include "base/error.h"
 
@@ -24,18 +28,33 @@ Imf::Slice slice_of(Imf::PixelType type, const Value* pixels, int width, int x =
     return Imf::Slice::Make(type, pixels, IMATH_NAMESPACE::V2i(x, y), width, 0, sizeof(Value), row);
 }
 
-std::vector<half> rounded(const std::vector<float>& values) {
-    return {values.begin(), values.end()};
+/// Pixels as they are stored.
+struct Stored {
+    Imf::PixelType type = Imf::FLOAT;
+    std::vector<half> halves;
+    std::vector<float> floats;
+
+    Imf::Slice slice(int width) const {
+        return type == Imf::HALF ? slice_of(type, halves.data(), width) : slice_of(type, floats.data(), width);
+    }
+};
+
+/// The nearest float with five significant bits; zeros at its end cost next to nothing when compressed.
+float shortened(float x) {
+    constexpr std::uint32_t dropped = (1u << 19) - 1;
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) + (dropped + 1) / 2) & ~dropped);
 }
 
-Imf::Header header_of(const Image& image, ExrPrecision precision) {
-    Imf::Header header(image.width(), image.height());
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));
-    for (const std::string& name : image.channel_names()) {
-        header.channels().insert(name, Imf::Channel(precision == ExrPrecision::half ? Imf::HALF : Imf::FLOAT));
+Stored stored(const std::string& name, const std::vector<float>& values, ExrPrecision precision) {
+    if (precision == ExrPrecision::single) return {Imf::FLOAT, {}, values};
+    if (is_variance_channel(name)) {
+        Stored variances{Imf::FLOAT, {}, values};
+        std::transform(values.begin(), values.end(), variances.floats.begin(), shortened);
+        return variances;
     }
-    return header;
+    const auto fits = [](float x) { return std::abs(x) <= static_cast<float>(HALF_MAX); };
+    if (!std::all_of(values.begin(), values.end(), fits)) return {Imf::FLOAT, {}, values};
+    return {Imf::HALF, {values.begin(), values.end()}, {}};
 }
 
 Image read(const std::string& path) {
@@ -77,19 +96,19 @@ Image read(const std::string& path) {
 
 void write_exr(const std::string& path, const Image& image, ExrPrecision precision) {
     BREWSTER_CHECK(image.pixel_count() > 0 && !image.channel_names().empty(), path);
-    std::vector<std::vector<half>> halves;
-    halves.reserve(image.channel_names().size());
+    Imf::Header header(image.width(), image.height());
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));
+    std::vector<Stored> channels;
+    channels.reserve(image.channel_names().size());
     Imf::FrameBuffer source;
     for (const std::string& name : image.channel_names()) {
-        const std::vector<float>& values = image.channel(name);
-        if (precision == ExrPrecision::single) {
-            source.insert(name, slice_of(Imf::FLOAT, values.data(), image.width()));
-        } else {
-            source.insert(name, slice_of(Imf::HALF, halves.emplace_back(rounded(values)).data(), image.width()));
-        }
+        const Stored& channel = channels.emplace_back(stored(name, image.channel(name), precision));
+        header.channels().insert(name, Imf::Channel(channel.type));
+        source.insert(name, channel.slice(image.width()));
     }
     try {
-        Imf::OutputFile file(path.c_str(), header_of(image, precision));
+        Imf::OutputFile file(path.c_str(), header);
         file.setFrameBuffer(source);
         file.writePixels(image.height());
     } catch (const std::exception& failure) {

@@ -8,7 +8,9 @@ namespace brewster {
 enum class ExrPrecision { half, single };
 
 /// Writes all channels as scan lines, losslessly compressed, and the attributes as strings.
-/// Half precision rounds to 11 significant bits. Throws Error when the file cannot be written.
+/// Half precision rounds to 11 significant bits. Variances, too small for halves, stay floats of 5 significant bits
+/// (their own error is larger), and a channel with a value beyond 65504 stays as it is.
+/// Throws Error when the file cannot be written.
 void write_exr(const std::string& path, const Image& image, ExrPrecision precision = ExrPrecision::single);
 
 /// Writes a Stokes picture with what its reader must know: R G B repeat S0, so that any viewer shows the radiance, and

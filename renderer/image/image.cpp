@@ -55,4 +55,8 @@ std::string variance_channel(int component, int band) {
     return channel_name('V', component, band);
 }
 
+bool is_variance_channel(const std::string& name) {
+    return name.size() == 4 && name[0] == 'V' && name[2] == '.';
+}
+
 }  // namespace brewster

@@ -41,5 +41,6 @@ inline constexpr std::array<char, 3> band_letters = {'R', 'G', 'B'};
 /// "S0.R" for (0, 0); "V3.B" is variance_channel(3, 2).
 std::string stokes_channel(int component, int band);
 std::string variance_channel(int component, int band);
+bool is_variance_channel(const std::string& name);
 
 }  // namespace brewster

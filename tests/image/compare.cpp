@@ -112,6 +112,21 @@ TEST(Compare, NoiseOfTheReferenceIsSubtracted) {
     EXPECT_NEAR(red(compare(radiance(std::vector<float>(20000, 1.2f)), b)).relative_rmse, 0.202, 0.003);
 }
 
+// Truths 1 and 1.02, noise of .03 and .04: (.02^2 +- s sqrt(2/n)), s = .05^2 + .02^2 = .0029, so +- 2.9e-5, 4 of which
+// move the root .02 by less than .003. Without noise of its own the difference would be .054.
+TEST(Compare, NoiseOfBothIsLeftOut) {
+    std::mt19937 random(8);
+    std::normal_distribution<float> noise;
+    std::vector<float> a(20000), b(20000);
+    for (float& x : a) x = 1.02f + 0.03f * noise(random);
+    for (float& x : b) x = 1.0f + 0.04f * noise(random);
+    Image first = radiance(a), second = radiance(b);
+    first.add_channel(variance_channel(0, 0)).assign(20000, 0.0009f);
+    second.add_channel(variance_channel(0, 0)).assign(20000, 0.0016f);
+    EXPECT_NEAR(red(compare(first, second)).rmse, 0.0539, 0.001);
+    EXPECT_NEAR(red(compare(first, second)).rmse_beyond_noise, 0.02, 0.003);
+}
+
 TEST(Compare, SaysWhatCannotBeCompared) {
     EXPECT_THROW(compare(radiance({1, 2}), radiance({1, 2, 3})), Error);
     EXPECT_THROW(compare(radiance({1, 2}), Image(2, 1)), Error);

@@ -61,6 +61,23 @@ TEST(Exr, HalfRoundTripKeepsElevenBits) {
     EXPECT_GT(rounded, 32);  // or it was not half at all
 }
 
+// Smaller than any half, and larger.
+TEST(Exr, HalfPicturesKeepVariancesAndWhatIsTooBright) {
+    const TemporaryFolder folder;
+    Image image(64, 1);
+    for (const char* name : {"V0.R", "S0.R"}) image.add_channel(name);
+    std::vector<float>&variances = image.channel("V0.R"), &bright = image.channel("S0.R");
+    for (std::size_t i = 0; i < variances.size(); ++i) variances[i] = 1e-14f * std::pow(1.7f, static_cast<float>(i));
+    bright[5] = 65600.0f;
+    bright[6] = 1.0001f;
+    write_exr(folder.file("a.exr"), image, ExrPrecision::half);
+    const Image again = read_exr(folder.file("a.exr"));
+    EXPECT_EQ(again.channel("S0.R"), bright);
+    for (std::size_t i = 0; i < variances.size(); ++i)
+        EXPECT_NEAR(again.channel("V0.R")[i], variances[i], variances[i] * 0x1p-5f);
+    EXPECT_NE(again.channel("V0.R"), variances);
+}
+
 TEST(Exr, StokesPictureNamesItsConventionsAndShowsItsRadiance) {
     const TemporaryFolder folder;
     write_stokes_exr(folder.file("a.exr"), stokes_picture());
