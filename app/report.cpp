@@ -5,6 +5,7 @@
 
 #include "app/material_summary.h"
 #include "app/scene_summary.h"
+#include "scene/needs.h"
 
 namespace brewster {
 namespace {
@@ -190,6 +191,7 @@ std::string shot_report(const SolveResult& result, double exposure, const std::v
 }
 
 std::string info_report(const Scene& scene) {
+    const Needs needs = needs_of(scene);
     Json materials = Json::array(), lamps = Json::array(), cameras = Json::array(), charts = Json::array();
     for (const Material& material : scene.materials) materials.push_back(material_object(scene, material));
     for (const Lamp& lamp : scene.lamps) lamps.push_back(lamp_object(lamp));
@@ -203,6 +205,7 @@ std::string info_report(const Scene& scene) {
                     {"lamps", lamps},
                     {"cameras", cameras},
                     {"charts", charts},
+                    {"transport", {{"stokes", needs.stokes}, {"bands", needs.bands}, {"because", needs.reasons}}},
                     {"warnings", scene.warnings}});
 }
 

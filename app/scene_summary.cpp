@@ -7,6 +7,7 @@
 #include "app/material_summary.h"
 #include "app/numbers.h"
 #include "base/units.h"
+#include "scene/needs.h"
 
 namespace brewster {
 namespace {
@@ -145,6 +146,10 @@ std::string scene_summary(const Scene& scene) {
                 significant(degrees(static_cast<double>(camera.vertical_field_of_view))) + " degrees high\n";
     }
     text += "\nCharts (both sides of a double-sided surface count)\n" + chart_lines(scene);
+    const Needs needs = needs_of(scene);
+    text += "\nTransport: " + counted(static_cast<std::size_t>(needs.stokes), "Stokes component") + " of " +
+            counted(static_cast<std::size_t>(needs.bands), "band") + "\n";
+    for (const std::string& reason : needs.reasons) text += "  " + reason + "\n";
     text += "\nNot simulated or mended\n";
     for (const std::string& warning : scene.warnings) text += "  " + warning + "\n";
     if (scene.warnings.empty()) text += "  nothing\n";

@@ -35,11 +35,6 @@ glm::vec3 albedo_at(const Scene& scene, const Hit& hit) {
     return material.albedo * glm::vec3(tint_at(scene, hit.triangle, hit.b1, hit.b2));
 }
 
-glm::vec3 nearest_lambert_at(const Scene& scene, const Hit& hit) {
-    const Material& material = material_of(scene, hit.triangle);
-    return has_coloured_base(material) ? albedo_at(scene, hit) : nearest_lambert(material);
-}
-
 bool is_hole(const Scene& scene, std::uint32_t triangle, float b1, float b2) {
     const Material& material = material_of(scene, triangle);
     return material.alpha_cutoff > 0.0f && material.alpha * tint_at(scene, triangle, b1, b2).w < material.alpha_cutoff;

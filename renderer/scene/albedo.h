@@ -13,9 +13,6 @@ glm::vec4 tint_at(const Scene& scene, std::uint32_t triangle, float b1, float b2
 /// Albedo of the base where a ray met the scene, per band, [0, 1].
 glm::vec3 albedo_at(const Scene& scene, const Hit& hit);
 
-/// The same of the Lambert surface that stands in for an interface that is not simulated (see nearest_lambert).
-glm::vec3 nearest_lambert_at(const Scene& scene, const Hit& hit);
-
 /// Whether the point belongs to a hole: its material is cut out by alpha, and alpha is below the cutoff there.
 bool is_hole(const Scene& scene, std::uint32_t triangle, float b1, float b2);
 

@@ -103,16 +103,18 @@ struct GltfMaterial {
     std::vector<double> base_color{1, 1, 1, 1}, emissive{0, 0, 0};
     double metallic = 1, roughness = 1;
     double emissive_strength = 1;  ///< KHR_materials_emissive_strength
-    double specular = 1;           ///< KHR_materials_specular
-    double ior = 1.5;              ///< KHR_materials_ior
-    double transmission = 0;       ///< KHR_materials_transmission
-    double thickness = 0;          ///< KHR_materials_volume; 0: a thin wall
-    bool attenuates = false;       ///< KHR_materials_volume: its attenuation is other than none
+    double specular = 1;           ///< KHR_materials_specular, as is the next
+    std::vector<double> specular_color{1, 1, 1};
+    double ior = 1.5;         ///< KHR_materials_ior
+    double transmission = 0;  ///< KHR_materials_transmission
+    double thickness = 0;     ///< KHR_materials_volume; 0: a thin wall
+    bool attenuates = false;  ///< KHR_materials_volume: its attenuation is other than none
     GltfSurface surface;
     std::string alpha_mode = "OPAQUE";
     double alpha_cutoff = 0.5;
     bool double_sided = false;
     GltfTextureUse base_color_texture, metallic_roughness_texture, emissive_texture;
+    GltfTextureUse specular_texture, specular_color_texture, transmission_texture, thickness_texture;
     bool has_normal_texture = false, has_occlusion_texture = false;
     std::vector<std::string> extensions;  ///< all of its extensions
 };

@@ -83,6 +83,15 @@ std::string without_skin_complaints(std::string faults) {
     return faults;
 }
 
+// The file that a complaint misses; empty for other complaints.
+std::string missing_file(const std::string& faults) {
+    constexpr std::string_view complaint = "File not found : ";
+    const std::size_t at = faults.find(complaint);
+    if (at == std::string::npos) return {};
+    const std::size_t begin = at + complaint.size();
+    return faults.substr(begin, faults.find('\n', begin) - begin);
+}
+
 // The JSON chunk of a .glb file: 12 bytes of header, length, "JSON".
 std::string_view json_chunk(std::span<const unsigned char> bytes, const std::string& where) {
     std::uint32_t length = 0;
@@ -226,6 +235,14 @@ GltfTextureUse use_of(const tinygltf::TextureInfo& from) {
     return use;
 }
 
+// A texture of a material's extension; only its mean is looked at, so where it lies does not matter.
+GltfTextureUse use_of(const tinygltf::ExtensionMap& extensions, const std::string& extension, const std::string& name) {
+    const tinygltf::Value* texture = property(extensions, extension, name);
+    GltfTextureUse use;
+    if (texture) use.texture = static_cast<int>(number(*texture, "index", -1));
+    return use;
+}
+
 GltfMaterial material_of(const tinygltf::Material& from) {
     GltfMaterial material;
     material.name = from.name;
@@ -236,6 +253,12 @@ GltfMaterial material_of(const tinygltf::Material& from) {
     material.emissive_strength =
         number(from.extensions, "KHR_materials_emissive_strength", "emissiveStrength", material.emissive_strength);
     material.specular = number(from.extensions, "KHR_materials_specular", "specularFactor", material.specular);
+    if (property(from.extensions, "KHR_materials_specular", "specularColorFactor"))
+        material.specular_color = numbers(from.extensions.at("KHR_materials_specular"), "specularColorFactor");
+    material.specular_texture = use_of(from.extensions, "KHR_materials_specular", "specularTexture");
+    material.specular_color_texture = use_of(from.extensions, "KHR_materials_specular", "specularColorTexture");
+    material.transmission_texture = use_of(from.extensions, "KHR_materials_transmission", "transmissionTexture");
+    material.thickness_texture = use_of(from.extensions, "KHR_materials_volume", "thicknessTexture");
     material.ior = number(from.extensions, "KHR_materials_ior", "ior", material.ior);
     material.transmission =
         number(from.extensions, "KHR_materials_transmission", "transmissionFactor", material.transmission);
@@ -325,6 +348,9 @@ GltfFile parse_gltf(std::span<const unsigned char> bytes, const fs::path& folder
     if (!allowed.refused.empty())
         throw Error("it names \"" + allowed.refused + "\", which is not below its own folder", where,
                     "move that file beside it");
+    if (const std::string missing = missing_file(faults); !missing.empty())
+        throw Error("the file \"" + missing + "\" that it names is missing", where,
+                    "put it where the scene expects it");
     // Some faults only shorten a list in the parser's eyes, so any complaint counts.
     if (!parsed || !faults.empty())
         throw Error("it is not valid glTF 2.0 (" + one_sentence(faults) + ")", where, "export the file again");

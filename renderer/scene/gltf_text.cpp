@@ -67,6 +67,8 @@ const std::map<std::string, Kind> kinds = {
     {"inverseBindMatrices", Kind::index},
     {"skeleton", Kind::index},
     {"mimeType", Kind::string},
+    {"version", Kind::string},
+    {"minVersion", Kind::string},
     {"zfar", Kind::number},
     {"birefringence", Kind::number},
     {"thickness", Kind::number},
@@ -101,7 +103,15 @@ const std::set<std::string> read_extensions = {
     "BREWSTER_surface"};
 
 // Objects whose other kinds would read as if they were not there.
-const std::set<std::string> objects = {"complexIor", "polarizer", "retarder", "polarization"};
+const std::set<std::string> objects = {"complexIor",
+                                       "polarizer",
+                                       "retarder",
+                                       "polarization",
+                                       "specularTexture",
+                                       "transmissionTexture",
+                                       "thicknessTexture",
+                                       "specularColorTexture",
+                                       "asset"};
 
 class Checker {
   public:
@@ -115,10 +125,13 @@ class Checker {
                 check_kind(value, key, Kind::index);
             } else if (key == "nodes") {
                 check_objects(value, key);
+            } else if (key == "extensionsUsed" || key == "extensionsRequired") {
+                check_names(value, key);
             } else {
                 check_member(key, value, key);
             }
         }
+        check_version(root);
         check_picture_views(root);
     }
 
@@ -181,6 +194,23 @@ class Checker {
             if (key == "rotation") check_kind(value, path + "." + key, Kind::number);
             if (key == "texCoord") check_kind(value, path + "." + key, Kind::index);
         }
+    }
+
+    // Versions are "major.minor": any 2.x may be read as 2.0 unless it asks for more.
+    void check_version(const json& root) const {
+        if (!root.contains("asset") || !root["asset"].contains("version")) wrong("asset", "holds no version");
+        const json& asset = root["asset"];
+        const std::string version = asset["version"];
+        const std::string least = asset.contains("minVersion") ? asset["minVersion"] : "2.0";
+        if (version.rfind("2.", 0) != 0 || least != "2.0")
+            throw Error("it is glTF " + (least != "2.0" ? least : version) + ", not 2.0", where_,
+                        "export it as glTF 2.0");
+    }
+
+    void check_names(const json& list, const std::string& path) const {
+        if (!list.is_array()) wrong(path, "is not a list");
+        for (const json& name : list)
+            if (!name.is_string()) wrong(path, "is not a list of names");
     }
 
     // The parser takes the address of an embedded picture's first byte before anyone could ask whether there is one.
@@ -288,6 +318,10 @@ int depth_of(std::string_view text) {
 }  // namespace
 
 void check_gltf_text(std::string_view text, const std::string& where) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");  // spaces and a byte order mark
+    if (first == std::string_view::npos) throw Error("it is empty", where, "choose a .gltf or .glb file");
+    if (text[first] != '{' && text[first] != '[')
+        throw Error("it is not a glTF file", where, "export the scene as glTF 2.0 (.glb or .gltf)");
     if (depth_of(text) > deepest) throw Error("its JSON is more than 64 levels deep", where, repair);
     json root;
     try {

@@ -8,9 +8,4 @@ glm::vec3 normal_reflectance(const Interface& interface) {
     return (below * below + absorption) / (above * above + absorption);
 }
 
-glm::vec3 nearest_lambert(const Material& material) {
-    if (material.interface.kind == InterfaceKind::conductor) return normal_reflectance(material.interface);
-    return material.base == Base::transparent ? glm::vec3(1.0f) : material.albedo;
-}
-
 }  // namespace brewster

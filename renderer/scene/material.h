@@ -57,8 +57,4 @@ struct Material {
 /// Unpolarized reflectance of a smooth interface at normal incidence, per band: ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2).
 glm::vec3 normal_reflectance(const Interface& interface);
 
-/// Albedo of the Lambert surface that stands in for the material where its interface is not simulated: the base's, a
-/// conductor's normal reflectance, 1 for what is transparent.
-glm::vec3 nearest_lambert(const Material& material);
-
 }  // namespace brewster

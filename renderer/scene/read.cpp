@@ -79,6 +79,7 @@ class Reader {
         recentre();
         add_parts();
         place_lamps_and_cameras();
+        warn_of_thin_shells();
         complete_lamps(scene_);
         scene_.contacts = chart_contacts(scene_);
         return std::move(scene_);
@@ -266,6 +267,18 @@ class Reader {
         }
         if (scene_.triangles.empty()) throw Error("none of its triangles has an area", where_, "export it again");
         if (without_area > 0) warn(std::to_string(without_area) + " triangles without area are left out");
+    }
+
+    // Exporters leave the thickness out, and a ball of glass becomes a bubble.
+    void warn_of_thin_shells() {
+        std::set<std::uint32_t> said;
+        for (const Chart& chart : scene_.charts) {
+            const Material& material = scene_.materials[chart.material];
+            const bool pane = material.thin && material.interface.present();
+            if (pane && chart.curved && said.insert(chart.material).second)
+                warn("material \"" + material.name +
+                     "\": it is a thin shell, not a body, since it has no thickness of KHR_materials_volume");
+        }
     }
 
     // Colours and texture coordinates of the vertices that a part has just brought into the scene.

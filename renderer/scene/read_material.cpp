@@ -20,11 +20,17 @@ std::string short_number(double x) {
     return text.data();
 }
 
-// KHR_materials_specular below 1 lowers the reflectance at normal incidence; here the index that has it.
-double index_of(const GltfMaterial& from) {
+// KHR_materials_specular scales the reflectance at normal incidence; here the index that has it.
+double index_of(const GltfMaterial& from, double specular_color) {
+    constexpr double highest = 0.96;  // of an index of 99
     const double n = from.ior == 0.0 ? 1.5 : from.ior;
-    const double amplitude = (n - 1.0) / (n + 1.0) * std::sqrt(from.specular);
+    const double reflectance = std::pow((n - 1.0) / (n + 1.0), 2) * specular_color;
+    const double amplitude = std::sqrt(std::min(reflectance, highest) * from.specular);
     return (1.0 + amplitude) / (1.0 - amplitude);
+}
+
+bool white(const std::vector<double>& color) {
+    return std::all_of(color.begin(), color.begin() + 3, [](double band) { return band == 1.0; });
 }
 
 // k of a metal of index n that reflects `reflectance` at normal incidence; below zero for an n that cannot.
@@ -89,31 +95,49 @@ void set_interface_and_base(Material& material, const GltfMaterial& from, const 
     Interface& interface = material.interface;
     const GltfSurface& surface = from.surface;
     const bool absorbs = std::any_of(surface.k.begin(), surface.k.end(), [](double k) { return k > 0.0; });
-    const double n = surface.n.empty() ? index_of(from) : *std::min_element(surface.n.begin(), surface.n.end());
-    const bool transparent = from.transmission >= 0.5;
-    interface.n = glm::vec3(static_cast<float>(n));
-    for (std::size_t band = 0; band < surface.n.size(); ++band) {
-        interface.n[static_cast<int>(band)] = static_cast<float>(surface.n[band]);
-        interface.k[static_cast<int>(band)] = static_cast<float>(surface.k[band]);
+    const bool metal = from.metallic >= 0.5 || absorbs;
+    const bool transparent = from.transmission >= 0.5 && !metal;
+    for (int band = 0; band < 3; ++band) {
+        const auto b = static_cast<std::size_t>(band);
+        const double tint = transparent ? 1.0 : from.specular_color[b];
+        interface.n[band] = static_cast<float>(surface.n.empty() ? index_of(from, tint) : surface.n[b]);
+        interface.k[band] = static_cast<float>(surface.k.empty() ? 0.0 : surface.k[b]);
     }
-    if (from.metallic >= 0.5 || absorbs) {
+    const bool rarer = !metal && std::min({interface.n.x, interface.n.y, interface.n.z}) < 1.0f;
+    if (rarer)
+        warnings.push_back(subject + "an index below 1 without absorption is not simulated; it has no interface");
+    constexpr auto least = static_cast<float>(least_index);
+    const bool reflects = !rarer && std::max({interface.n.x, interface.n.y, interface.n.z}) >= least;
+    if (metal) {
         interface.kind = InterfaceKind::conductor;
         material.base = Base::black;
         if (surface.n.empty()) set_metal_by_colour(interface, from.base_color);
-    } else if (n >= least_index) {
+    } else if (reflects) {
         interface.kind = InterfaceKind::dielectric;
+        interface.n = glm::max(interface.n, least);
         material.base = transparent ? Base::transparent : Base::polarized_diffuse;
     } else {
         interface.kind = InterfaceKind::none;
         material.base = transparent ? Base::transparent : Base::lambert;
     }
+    if (!metal && from.metallic > 0.0)
+        warnings.push_back(subject + "its metallicFactor of " + short_number(from.metallic) +
+                           " is taken as 0; a surface is a metal or is none");
+    if (!absorbs && metal && from.metallic < 1.0)
+        warnings.push_back(subject + "its metallicFactor of " + short_number(from.metallic) +
+                           " is taken as 1; a surface is a metal or is none");
+    if (!metal && !transparent && from.transmission > 0.0)
+        warnings.push_back(subject + "it lets no light pass, not a part");
     if (material.base == Base::transparent) {
         if (from.transmission < 1.0) warnings.push_back(subject + "it lets light pass entirely, not in part");
         material.thin = from.thickness == 0.0;
         material.double_sided = true;  // light comes from both sides, whatever a file says of its look
         if (from.roughness > 0.0 || surface.rms_height > 0)
             warnings.push_back(subject + "its roughness is not simulated where light passes; it is smooth");
-        if (from.attenuates) warnings.push_back(subject + "its colour inside is not simulated; it is clear");
+        if (from.attenuates || !white(from.base_color))
+            warnings.push_back(subject + "its colour is not simulated where light passes; it is clear");
+        if (surface.n.empty() && !white(from.specular_color))
+            warnings.push_back(subject + "its specularColorFactor is not simulated where light passes");
     } else if (interface.present()) {
         set_finish(material, from, subject, warnings);
     }

@@ -25,6 +25,21 @@ GltfMaterial with_texture_means(GltfMaterial material, const std::string& subjec
         for (int band = 0; band < 3; ++band) material.emissive[static_cast<std::size_t>(band)] *= mean[band];
         warnings.push_back(subject + "its emissiveTexture is not simulated; it glows evenly with the mean");
     }
+    if (const SurfaceTexture* texture = textures.read(material.transmission_texture.texture)) {
+        material.transmission *= texture_byte_mean(*texture).x;
+        warnings.push_back(subject + "its transmissionTexture is not simulated; its mean is");
+    }
+    if (const SurfaceTexture* texture = textures.read(material.thickness_texture.texture))
+        material.thickness *= texture_byte_mean(*texture).y;  // whether there is any is all that counts
+    if (const SurfaceTexture* texture = textures.read(material.specular_texture.texture)) {
+        material.specular *= texture_byte_mean(*texture).w;
+        warnings.push_back(subject + "its specularTexture is not simulated; its mean is");
+    }
+    if (const SurfaceTexture* texture = textures.read(material.specular_color_texture.texture)) {
+        const glm::dvec4 mean = texture_mean(*texture);
+        for (int band = 0; band < 3; ++band) material.specular_color[static_cast<std::size_t>(band)] *= mean[band];
+        warnings.push_back(subject + "its specularColorTexture is not simulated; its mean is");
+    }
     if (material.has_normal_texture) warnings.push_back(subject + "its normalTexture is not simulated; it is smooth");
     if (material.has_occlusion_texture)
         warnings.push_back(subject + "its occlusionTexture is not needed: light is traced to every corner");
@@ -33,8 +48,8 @@ GltfMaterial with_texture_means(GltfMaterial material, const std::string& subjec
     if (const SurfaceTexture* texture = textures.read(material.base_color_texture.texture)) {
         const glm::dvec4 mean = texture_mean(*texture);
         for (int band = 0; band < 3; ++band) material.base_color[static_cast<std::size_t>(band)] *= mean[band];
-        warnings.push_back(subject + "its baseColorTexture is not simulated on " +
-                           (is_metal(material) ? "a metal" : "what light passes") + "; its mean is");
+        if (is_metal(material))
+            warnings.push_back(subject + "its baseColorTexture is not simulated on a metal; its mean is");
     }
     return material;
 }

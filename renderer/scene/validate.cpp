@@ -326,6 +326,10 @@ struct Validator {
         check_use(material.base_color_texture, path + ".pbrMetallicRoughness.baseColorTexture");
         check_use(material.metallic_roughness_texture, path + ".pbrMetallicRoughness.metallicRoughnessTexture");
         check_use(material.emissive_texture, path + ".emissiveTexture");
+        check_use(material.specular_texture, path + ".extensions.KHR_materials_specular.specularTexture");
+        check_use(material.specular_color_texture, path + ".extensions.KHR_materials_specular.specularColorTexture");
+        check_use(material.transmission_texture, path + ".extensions.KHR_materials_transmission.transmissionTexture");
+        check_use(material.thickness_texture, path + ".extensions.KHR_materials_volume.thicknessTexture");
         check_range(material.alpha_cutoff, 0, 1e12, path + ".alphaCutoff");
         constexpr double brightest = 1e12;
         check_ranges(material.base_color, 4, 0, 1, path + ".pbrMetallicRoughness.baseColorFactor");
@@ -334,6 +338,7 @@ struct Validator {
         check_range(material.metallic, 0, 1, path + ".pbrMetallicRoughness.metallicFactor");
         check_range(material.roughness, 0, 1, path + ".pbrMetallicRoughness.roughnessFactor");
         check_range(material.specular, 0, 1, path + ".specularFactor");
+        check_ranges(material.specular_color, 3, 0, brightest, path + ".specularColorFactor");
         if (material.ior != 0) check_range(material.ior, 1, 1e6, path + ".ior");
         check_range(material.transmission, 0, 1, path + ".transmissionFactor");
         check_range(material.thickness, 0, 1e12, path + ".thicknessFactor");

@@ -65,9 +65,9 @@ TEST(Files, RoomsMadeWithBlenderOpen) {
             EXPECT_EQ(reports[0]["cameras"][i]["name"], room.cameras[i]);
         EXPECT_EQ(reports[0]["lamps"].size(), room.lamps) << room.binary;
         for (const json& material : reports[0]["materials"]) EXPECT_EQ(material["double_sided"], true);
-        // There is nothing to say but that a glass ball's look is beyond bins.
+        // There is nothing to say but of the glass ball: it has no thickness in the file, and its look is beyond bins.
         for (const json& warning : reports[0]["warnings"])
-            EXPECT_NE(warning.get<std::string>().find("light passes it"), std::string::npos) << warning;
+            EXPECT_EQ(warning.get<std::string>().rfind("material \"Glass\": ", 0), 0u) << warning;
     }
 }
 

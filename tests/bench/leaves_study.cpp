@@ -60,8 +60,7 @@ Image indirect_picture(const Scene& scene, const std::vector<Hit>& hits, const S
         const lookup::BinValue found =
             lookup::look_up(bins, bins.charts[hits[i].chart].indirect_root, 0u, hits[i].u, hits[i].v);
         for (int band = 0; band < band_count; ++band) {
-            const float factor =
-                nearest_lambert(scene.materials[chart.material])[band] / static_cast<float>(pi) / draws;
+            const float factor = scene.materials[chart.material].albedo[band] / static_cast<float>(pi) / draws;
             image.channel(stokes_channel(0, band))[i / draws] += factor * found.value[band];
         }
     }

@@ -295,7 +295,15 @@ const std::vector<Mutation>& mutations() {
          "outerConeAngle\" is 2.000000, out of range"},
         {"UnknownExtensionRequired", [](J& f) { f["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
          "it requires the extension KHR_draco_mesh_compression, which is not read"},
-        {"NoAsset", [](J& f) { f.erase("asset"); }, "asset"},
+        {"ExtensionsAreText", [](J& f) { f["extensionsRequired"] = "KHR_draco_mesh_compression"; },
+         "\"extensionsRequired\" is not a list"},
+        {"ExtensionIsANumber", [](J& f) { f["extensionsRequired"] = {3}; },
+         "\"extensionsRequired\" is not a list of names"},
+        {"NoAsset", [](J& f) { f.erase("asset"); }, "\"asset\" holds no version"},
+        {"OldVersion", [](J& f) { f["asset"]["version"] = "1.0"; }, "it is glTF 1.0, not 2.0; export it as glTF 2.0"},
+        {"NextVersion", [](J& f) { f["asset"]["version"] = "3.0"; }, "it is glTF 3.0, not 2.0"},
+        {"LaterVersionAtLeast", [](J& f) { f["asset"]["minVersion"] = "2.1"; }, "it is glTF 2.1, not 2.0"},
+        {"VersionIsANumber", [](J& f) { f["asset"]["version"] = 2.0; }, "\"asset.version\" is not a string"},
         {"NodesNoList",
          [](J& f) {
              f["nodes"] = {{"a", 1}};
@@ -349,6 +357,20 @@ const std::vector<Mutation>& mutations() {
          "\"samplers[0].magFilter\" is 9984, unknown"},
         {"UseOfNoTexture", [](J& f) { add_textures(f)["index"] = 2; },
          "baseColorTexture.index\" is 2, but there are 1 textures"},
+        {"UseOfNoTextureInAnExtension",
+         [](J& f) {
+             add_textures(f);
+             f["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionTexture"] = {{"index", 2}};
+         },
+         "KHR_materials_transmission.transmissionTexture.index\" is 2, but there are 1 textures"},
+        {"TextureOfAnExtensionIsANumber",
+         [](J& f) { f["materials"][0]["extensions"]["KHR_materials_volume"]["thicknessTexture"] = 0; },
+         "thicknessTexture\" is not an object"},
+        {"SpecularColourBelowZero",
+         [](J& f) {
+             f["materials"][0]["extensions"]["KHR_materials_specular"]["specularColorFactor"] = {1, -1, 1};
+         },
+         "specularColorFactor\" is -1.000000, out of range"},
         {"TextureSetIsText", [](J& f) { add_textures(f)["texCoord"] = "0"; }, "texCoord\" is not an integer"},
         {"TextureTransformIsNumber", [](J& f) { add_textures(f)["extensions"]["KHR_texture_transform"] = 3; },
          "KHR_texture_transform\" is not an object"},

@@ -64,6 +64,35 @@ TEST(ReadMaterial, SpecularFactorScalesTheReflectance) {
     expect_near(bare.albedo, {0.2f, 0.4f, 0.6f}, 1e-6f);
 }
 
+TEST(ReadMaterial, SpecularColourScalesItBandByBand) {
+    GltfMaterial from = plastic();
+    from.specular_color = {1, 0.25, 0};
+    const Material material = read(from, 0);
+    expect_near(normal_reflectance(material.interface), {0.04f, 0.01f, 0}, 3e-5f);  // the last: an index of 1.01
+    EXPECT_EQ(material.interface.kind, InterfaceKind::dielectric);
+    from.specular_color = {1e6, 1e6, 1e6};
+    expect_near(normal_reflectance(read(from, 0).interface), glm::vec3(0.96f), 1e-3f);
+}
+
+// A surface is a metal or none, transparent or not; what lies between is said.
+TEST(ReadMaterial, HalfWaysAreSaid) {
+    GltfMaterial from = plastic();
+    from.metallic = 0.3;
+    EXPECT_EQ(read(from, 1).interface.kind, InterfaceKind::dielectric);
+    from.metallic = 0.7;
+    EXPECT_EQ(read(from, 1).interface.kind, InterfaceKind::conductor);
+    from.metallic = 0;
+    from.transmission = 0.3;
+    EXPECT_EQ(read(from, 1).base, Base::polarized_diffuse);
+}
+
+TEST(ReadMaterial, IndicesBelowOneAreSaid) {
+    GltfMaterial from = plastic();
+    from.surface.n = {0.9, 1.2, 1.2};
+    from.surface.k = {0, 0, 0};
+    EXPECT_EQ(read(from, 1).interface.kind, InterfaceKind::none);
+}
+
 TEST(ReadMaterial, IndexOfAirIsNoInterface) {
     GltfMaterial from = plastic();
     from.ior = 1;
@@ -100,7 +129,6 @@ TEST(ReadMaterial, MetalOfAColourReflectsThatColour) {
                 EXPECT_EQ(material.interface.n[band], 1.0f);
             }
         }
-        expect_near(nearest_lambert(material), reflected, 0.0f);
     }
 }
 
@@ -140,6 +168,7 @@ TEST(ReadMaterial, HeightAndLengthMakeAKirchhoffSurface) {
 
 TEST(ReadMaterial, TransmissionIsAPaneOrABody) {
     GltfMaterial from = plastic();
+    from.base_color = {1, 1, 1, 1};
     from.transmission = 1;
     from.roughness = 0;
     const Material pane = read(from, 1);
@@ -153,8 +182,10 @@ TEST(ReadMaterial, TransmissionIsAPaneOrABody) {
     from.attenuates = true;
     from.transmission = 0.9;
     EXPECT_EQ(read(from, 4).interface.finish, Finish::smooth);
-    from.transmission = 0.4;
-    EXPECT_EQ(read(from, 0).base, Base::polarized_diffuse);
+    from.attenuates = false;
+    from.base_color = {1, 0.5, 1, 1};  // a tint of its skin is as little simulated
+    from.specular_color = {1, 0.5, 1};
+    EXPECT_EQ(read(from, 5).interface.n.y, 1.5f);
 }
 
 TEST(ReadMaterial, FiltersAreBareSheets) {

@@ -235,6 +235,29 @@ TEST(ReadTexture, MeansStandForOtherTextures) {
         EXPECT_TRUE(warns_of(scene, words)) << words;
 }
 
+TEST(ReadTexture, MeansStandForTexturesOfExtensions) {
+    const auto halves = [](int x, int) {
+        return std::array<std::uint8_t, 4>{static_cast<std::uint8_t>(x == 0 ? 255 : 204), 102, 51, 153};
+    };
+    GltfBuilder file = with_picture_in_view(textured_square(), png_bytes(2, 2, halves));
+    auto& material = file.json["materials"][0];
+    material["pbrMetallicRoughness"].erase("baseColorTexture");
+    material["pbrMetallicRoughness"]["roughnessFactor"] = 0;
+    material["extensions"]["KHR_materials_specular"] = {{"specularTexture", {{"index", 0}}}};
+    EXPECT_NEAR(normal_reflectance(scene_of(file).materials[0].interface).x, 0.04f * 0.6f, 1e-6);
+    EXPECT_TRUE(warns_of(scene_of(file), "material \"paint\": its specularTexture is not simulated; its mean is"));
+    material["extensions"]["KHR_materials_specular"] = {{"specularColorTexture", {{"index", 0}}}};
+    EXPECT_NEAR(normal_reflectance(scene_of(file).materials[0].interface).y, 0.04 * linear_of_srgb(102), 1e-5);
+    material["extensions"]["KHR_materials_transmission"] = {{"transmissionFactor", 1},
+                                                            {"transmissionTexture", {{"index", 0}}}};
+    material["extensions"]["KHR_materials_volume"] = {{"thicknessFactor", 1}, {"thicknessTexture", {{"index", 0}}}};
+    const Scene scene = scene_of(file);
+    EXPECT_EQ(scene.materials[0].base, Base::transparent);  // 0.9
+    EXPECT_FALSE(scene.materials[0].thin);
+    EXPECT_TRUE(warns_of(scene, "material \"paint\": its transmissionTexture is not simulated; its mean is"));
+    EXPECT_TRUE(warns_of(scene, "material \"paint\": it lets light pass entirely, not in part"));
+}
+
 // A metal has one index: its texture's mean makes it.
 TEST(ReadTexture, MetalsTakeTheMean) {
     GltfBuilder file = with_picture_in_view(textured_square(), png_bytes(2, 2, quarters));
