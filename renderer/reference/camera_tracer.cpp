@@ -109,7 +109,7 @@ bool go_on(EyePath<components>& path, const Vertex& vertex, const BounceNumbers&
     if (!sample.alive) return false;
     // A shading normal can point a ray to the wrong side of the facet; it is absorbed there.
     if ((dot(sample.direction, vertex.normal) > 0) == sample.refracted) return false;
-    path.path_class.add(sample.base ? Event::base : sample.sharp ? Event::sharp : Event::gloss);
+    path.path_class.add(event_of(vertex, sample));
     if (!path.path_class.can_end_in(classes)) return false;
     path.chain.prepend(sample.weight, sample.turn);
     path.axis = sample.axis;

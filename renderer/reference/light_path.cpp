@@ -83,7 +83,7 @@ std::optional<Event> scatter(Photon<components>& photon, const Vertex& vertex, c
     photon.axis = sample.axis;
     photon.leaving = vertex.triangle;
     if (!(photon.largest() > 0)) return {};
-    return sample.base ? Event::base : sample.sharp ? Event::sharp : Event::gloss;
+    return event_of(vertex, sample);
 }
 
 template <int components>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/eye_chain.h"
 #include "reference/ordered_blocks.h"
 #include "scene/shading_normal.h"
 
@@ -58,20 +59,26 @@ void LightTracer::connect(const Photon<components>& photon, const LightPathClass
     const auto value = evaluate_at<Use::light>(vertex, photon.direction, out);
     const auto dark = [](const LobeValue<double, band_count>& lobe) { return bsdf_detail::band_mean(lobe.value) <= 0; };
     if ((!base || dark(value.base)) && (!gloss || dark(value.gloss))) return;
-    if (!surroundings_.seen_from(eye, vertex)) return;
+    EyeChain<components> chain;  // of the sheets between
+    Vector<double> axis = normalized(cross(-out, vector_of(camera_.up)));
+    const bool seen = surroundings_.seen_from(eye, vertex, [&](const Vertex& sheet) {
+        const auto through = straight_through(sheet, out, axis);
+        chain.prepend(through.weight, through.turn);
+        axis = through.axis;
+    });
+    if (!seen) return;
 
     // Radiance of a pixel is the mean over its area A on the image plane of L dA, dA = dOmega / cos^3; and L dOmega of
     // a point is its intensity over the distance squared.
     const double scale = correction * cos_out / (distance * distance * depth * depth * depth * side * side);
-    const Vector<double> camera_axis = normalized(cross(-out, vector_of(camera_.up)));
     Splat splat{
         static_cast<std::size_t>(row) * static_cast<std::size_t>(sums_.width()) + static_cast<std::size_t>(column), {}};
     const auto add = [&](const LobeValue<double, band_count>& lobe) {
         const auto in = rotation_between(photon.direction, photon.axis, lobe.axis_in);
-        const auto leave = rotation_between(out, lobe.axis_out, camera_axis);
+        const auto leave = rotation_between(out, lobe.axis_out, axis);
         for (std::size_t band = 0; band < band_count; ++band) {
-            const auto seen = rotate(leave, lobe.value[band] * rotate(in, photon.light[band]));
-            for (int j = 0; j < components; ++j) splat.light[band][j] += scale * seen[j];
+            const auto arrived = chain.seen(band, rotate(leave, lobe.value[band] * rotate(in, photon.light[band])));
+            for (int j = 0; j < components; ++j) splat.light[band][j] += scale * arrived[j];
         }
     };
     if (base) add(value.base);

@@ -3,7 +3,9 @@
 namespace brewster {
 
 /// Paths from a lamp to the camera, told apart by the lobes at their surfaces: *base* (Lambert, polarized diffuse),
-/// *gloss* and *sharp* (mirror, refraction), the latter two being events of an interface. Disjoint and complete.
+/// *gloss*, *sharp* (mirror, refraction) and *straight* (through a pane or filter), the latter three being events of an
+/// interface. Disjoint and complete. Sheets that are crossed straight on next to the camera belong to its look and do
+/// not count.
 /// The camera tracer cannot find `sharply_lit`, the light tracer neither `seen` nor `mirrored`; both can do the others.
 enum class PathClass : unsigned {
     seen = 1,          ///< no surface between lamp and camera
@@ -32,12 +34,13 @@ inline constexpr PathClasses camera_tracer_owns =
     PathClass::seen | PathClass::bases | PathClass::reflections | PathClass::mirrored;
 inline constexpr PathClasses light_tracer_owns = PathClass::caustics | PathClass::sharply_lit;
 
-enum class Event { base, gloss, sharp };
+enum class Event { base, gloss, sharp, straight };
 
 /// The class of a path that grows from the camera.
 class EyePathClass {
   public:
     void add(Event event) {
+        if (!any_ && event == Event::straight) return;
         if (!any_) mirrored_ = event == Event::sharp;
         any_ = true;
         if (event == Event::base) {
@@ -78,7 +81,7 @@ class LightPathClass {
     explicit LightPathClass(bool lamp_without_extent) : point_like_(lamp_without_extent) {}
 
     void add(Event event) {
-        if (!any_) sharply_lit_ = point_like_ && event == Event::sharp;
+        if (!any_) sharply_lit_ = point_like_ && (event == Event::sharp || event == Event::straight);
         any_ = true;
         if (event == Event::base)
             caustic_ = caustic_ || interface_;

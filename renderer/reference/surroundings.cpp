@@ -77,12 +77,20 @@ bool Surroundings::reaches(const Vertex& from, const LampLight& light) const {
     return distance > light.distance;
 }
 
-bool Surroundings::seen_from(const Vector<double>& eye, const Vertex& vertex) const {
+bool Surroundings::seen_from(const Vector<double>& eye, const Vertex& vertex,
+                             const std::function<void(const Vertex& sheet)>& cross) const {
     const Vector<double> way = vertex.position - eye;
     const double distance = std::sqrt(dot(way, way));
-    const Met met = look(eye, (1 / distance) * way);
+    const Vector<double> direction = (1 / distance) * way;
+    Met met = look(eye, direction);
+    double passed = 0;
+    while (met.vertex && met.vertex->material->crossed_straight()) {
+        cross(*met.vertex);
+        passed += met.vertex->distance;
+        met = meet(met.vertex->position, direction, met.vertex->triangle);
+    }
     return met.vertex && met.vertex->chart == vertex.chart &&
-           std::abs(met.vertex->distance - distance) < same_distance * distance;
+           std::abs(passed + met.vertex->distance - distance) < same_distance * distance;
 }
 
 }  // namespace brewster

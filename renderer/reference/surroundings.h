@@ -1,7 +1,9 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "reference/path_class.h"
 #include "scene/bsdf.h"
 #include "scene/lamp_light.h"
 #include "scene/rays.h"
@@ -45,6 +47,26 @@ BsdfValue<double, band_count> evaluate_at(const Vertex& vertex, const Vector<dou
     return value;
 }
 
+/// What the event of a sampled way on counts as.
+template <class Sample>
+Event event_of(const Vertex& vertex, const Sample& sample) {
+    if (sample.base) return Event::base;
+    if (!sample.sharp) return Event::gloss;
+    return sample.refracted && vertex.material->crossed_straight() ? Event::straight : Event::sharp;
+}
+
+/// The way straight on through a pane or filter, for the eye that looks from `towards`; its weight is all that passes.
+inline ScatterSample<double, band_count> straight_through(const Vertex& sheet, const Vector<double>& towards,
+                                                          const Vector<double>& carried_axis) {
+    ScatterNumbers<double> numbers;
+    numbers.choice = 1;  // never the mirror
+    auto sample = sample_at<Use::eye>(sheet, towards, carried_axis, numbers);
+    if (sheet.material->filter == FilterKind::none)
+        sample.weight.fill(
+            thin_pane(dot(towards, sheet.normal), static_cast<double>(sheet.material->refracting_n)).transmission);
+    return sample;
+}
+
 /// A scene made ready for following single paths. Constant, so any number of threads may ask.
 class Surroundings {
   public:
@@ -71,8 +93,10 @@ class Surroundings {
     /// Whether the way from a vertex to the light is free.
     bool reaches(const Vertex& from, const LampLight& light) const;
 
-    /// Whether the camera at `eye` sees the vertex.
-    bool seen_from(const Vector<double>& eye, const Vertex& vertex) const;
+    /// Whether the camera at `eye` sees the vertex, through panes and filters as well: `cross` is called for each of
+    /// these, from the eye on.
+    bool seen_from(const Vector<double>& eye, const Vertex& vertex,
+                   const std::function<void(const Vertex& sheet)>& cross) const;
 
   private:
     Met met_by(const Hit& hit) const;

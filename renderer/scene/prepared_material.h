@@ -42,6 +42,8 @@ class PreparedMaterial {
     bool diffuse() const { return base == Base::lambert || base == Base::polarized_diffuse; }
     /// Every way on is one direction: no lobe can be evaluated between two given directions.
     bool sharp() const { return !diffuse() && !rough(); }
+    /// A sheet that light may cross without a change of direction: a pane or a filter.
+    bool crossed_straight() const { return base == Base::transparent && thin; }
     /// Can reflect at the interface.
     bool reflects() const { return interface != InterfaceKind::none; }
 

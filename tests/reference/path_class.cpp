@@ -11,13 +11,11 @@ namespace {
 /// share nothing, and what can no longer end in a set does not.
 TEST(PathClass, BothTracersAgreeAndOwnersAreDisjoint) {
     EXPECT_EQ(camera_tracer_owns & light_tracer_owns, 0u);
-    const Event events[] = {Event::base, Event::gloss, Event::sharp};
+    const Event events[] = {Event::base, Event::gloss, Event::sharp, Event::straight};
     for (int length = 1; length <= 5; ++length) {
-        int count = 1;
-        for (int j = 0; j < length; ++j) count *= 3;
-        for (int code = 0; code < count; ++code) {
+        for (int code = 0; code < 1 << (2 * length); ++code) {
             std::vector<Event> path;
-            for (int j = 0, rest = code; j < length; ++j, rest /= 3) path.push_back(events[rest % 3]);
+            for (int j = 0; j < length; ++j) path.push_back(events[code >> (2 * j) & 3]);
             EyePathClass eye;
             std::vector<EyePathClass> prefixes;
             for (const Event event : path) {
@@ -28,6 +26,12 @@ TEST(PathClass, BothTracersAgreeAndOwnersAreDisjoint) {
                 if (!contains(bit, eye.value())) continue;
                 for (const EyePathClass& prefix : prefixes) EXPECT_TRUE(prefix.can_end_in(bit));
             }
+            if (path.front() == Event::straight) {  // belongs to the look
+                EyePathClass without;
+                for (std::size_t j = 1; j < path.size(); ++j) without.add(path[j]);
+                EXPECT_EQ(eye.value(), without.value());
+                continue;
+            }
             if (path.front() == Event::sharp) {
                 EXPECT_EQ(eye.value(), PathClass::mirrored);
                 continue;
@@ -36,7 +40,7 @@ TEST(PathClass, BothTracersAgreeAndOwnersAreDisjoint) {
                 LightPathClass light(point_like);
                 for (std::size_t j = path.size() - 1; j > 0; --j) light.add(path[j]);
                 const PathClass found = light.with(path.front());
-                const bool sharply = point_like && path.back() == Event::sharp;
+                const bool sharply = point_like && (path.back() == Event::sharp || path.back() == Event::straight);
                 if (sharply && eye.value() == PathClass::reflections) {
                     EXPECT_EQ(found, PathClass::sharply_lit);
                 } else {
