@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/analyzer_text.h"
 #include "app/suggestion.h"
 
 namespace brewster {
@@ -146,6 +147,14 @@ std::vector<Map> parse_maps(const std::vector<std::string>& names) {
     return maps;
 }
 
+Palette parse_palette(const std::string& name) {
+    const std::optional<Palette> palette = find_palette(name);
+    std::vector<std::string> known;
+    for (const PaletteDescription& entry : palette_descriptions) known.emplace_back(entry.name);
+    if (!palette) refuse("--palette", name, "a palette" + did_you_mean(name, known));
+    return *palette;
+}
+
 std::string map_list() {
     std::string list;
     for (const MapDescription& entry : map_descriptions) list += std::string(entry.name) + ", ";
@@ -178,6 +187,21 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
                 "); may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
+    verb.add_option_function<std::string>(
+            "--analyzer",
+            [&](const std::string& text) {
+                const std::optional<Analyzer> analyzer = parse_analyzer(text);
+                if (!analyzer) refuse("--analyzer", text, "an angle in degrees, right, left or none");
+                options.analyzer = *analyzer;
+            },
+            "A filter in front of the camera: a polarizer at an angle from the horizontal, counter-clockwise, or a "
+            "circular one (default none)")
+        ->type_name("DEG|right|left|none");
+    verb.add_option_function<std::string>(
+            "--palette", [&](const std::string& name) { options.palette = parse_palette(name); },
+            "Colours of the maps: blue-orange (safe for the colour-blind), red-green or polanalyser (default "
+            "blue-orange)")
+        ->type_name("NAME");
     add_number(verb, "--exposure", "Stops brighter or darker than 1 cd/m2 = white (default: fits the first camera)",
                -64, 64, [&](double stops) { options.exposure = stops; })
         ->type_name("EV");

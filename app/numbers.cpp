@@ -1,9 +1,12 @@
 #include "app/numbers.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+
+#include "base/check.h"
 
 namespace brewster {
 namespace {
@@ -80,6 +83,13 @@ std::optional<PictureSize> parse_size(std::string_view text) {
     const auto fits = [](std::uint64_t side) { return side >= 1 && side <= largest_picture_side; };
     if (!fits(*width) || !fits(*height)) return std::nullopt;
     return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+std::string exact_text(double value) {
+    std::array<char, 32> text{};
+    const auto [end, failure] = std::to_chars(text.data(), text.data() + text.size(), value);
+    BREWSTER_CHECK(failure == std::errc{}, std::to_string(value));
+    return {text.data(), end};
 }
 
 std::string significant(double value, int digits) {

@@ -25,6 +25,9 @@ std::optional<PictureSize> parse_size(std::string_view text);
 /// For people: so many significant digits, without needless zeros ("0.031", "1.2e+09").
 std::string significant(double value, int digits = 3);
 
+/// The shortest digits that parse_number reads back as the same number.
+std::string exact_text(double value);
+
 /// For people: "12.3 M", "480 k", "7".
 std::string with_magnitude(double value);
 

@@ -7,7 +7,7 @@
 
 #include "app/numbers.h"
 #include "app/settings.h"
-#include "display/maps.h"
+#include "display/rendition.h"
 #include "engine/engine.h"
 #include "image/compare.h"
 
@@ -28,6 +28,8 @@ struct ShotOptions {
     std::vector<std::string> cameras;  ///< empty: all
     std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
     std::vector<Map> maps = {Map::radiance};
+    Palette palette = Palette::blue_orange;
+    Analyzer analyzer;
     std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
     int samples = 64;                ///< jittered draws a picture is the mean of
     bool legend = true;              ///< in PNG pictures

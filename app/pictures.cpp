@@ -9,6 +9,7 @@
 #include "display/osmesa_context.h"
 #include "display/picture.h"
 #include "display/screen.h"
+#include "display/screen_pass.h"
 #include "display/text.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -45,10 +46,10 @@ std::vector<std::string> chosen_cameras(const Scene& scene, const std::vector<st
     return chosen;
 }
 
-void draw(Picture& picture, const Camera& camera, const std::optional<PictureSize>& wished, int draws) {
-    const PictureSize size = size_for(camera, wished);
-    picture.look(camera, size.width, size.height);
-    picture.draw(draws);
+/// Draws what is missing of the rendition.
+void complete(Picture& picture, const Rendition& rendition, int draws) {
+    const int missing = draws - picture.draws(rendition);
+    if (missing > 0) picture.draw(missing, rendition);
 }
 
 }  // namespace
@@ -71,21 +72,23 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
     const OsmesaContext context;
     const std::uint64_t photons = bins->photons;
     Picture picture(scene);
-    picture.set_polarization(options.polarization);
+    const ScreenPass screen_pass;
     picture.show(std::move(bins));
     picture.upload();
 
     const float exposure =
         options.exposure ? static_cast<float>(*options.exposure) : picture.exposure_of(scene.cameras.front());
+    Rendition rendition{Map::radiance, options.analyzer, options.polarization, exposure, options.palette};
 
     Text text;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const PictureName& name = pictures[i];
+    for (const PictureName& name : pictures) {
         const Camera& camera = scene.camera(name.camera);
-        const bool other_view = i == 0 || name.camera != pictures[i - 1].camera;
-        if (other_view) draw(picture, camera, options.size, options.samples);
+        const PictureSize size = size_for(camera, options.size);
+        picture.look(camera, size.width, size.height);
         if (is_exr(name.path)) {
-            Image stokes = picture.stokes();
+            rendition.map = Map::radiance;  // a file holds the linear light of one world, whatever the map
+            complete(picture, rendition, options.samples);
+            Image stokes = picture.stokes(options.polarization);
             stokes.attributes.emplace_back("brewster.scene", scene.name);
             stokes.attributes.emplace_back("brewster.camera", camera.name);
             stokes.attributes.emplace_back("brewster.photons", std::to_string(photons));
@@ -93,11 +96,11 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
             stokes.attributes.emplace_back("brewster.seed", std::to_string(options.solve.engine.seed));
             write_stokes_exr(name.path, stokes);
         } else {
-            const PictureSize size = size_for(camera, options.size);
+            rendition.map = name.map;
+            complete(picture, rendition, options.samples);
             const Screen screen = Screen::off_screen(size.width, size.height);
-            picture.present(screen, exposure);
-            if (options.legend)
-                draw_legend(text, screen, {name.map, scene.name, camera.name, photons, exposure, options.polarization});
+            screen_pass.show(screen, picture.light(), rendition);
+            if (options.legend) draw_legend(text, screen, {rendition, scene.name, camera.name, photons});
             write_png(name.path, screen.read());
         }
     }

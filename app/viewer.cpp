@@ -8,6 +8,7 @@
 #include "app/seen_point.h"
 #include "display/legend.h"
 #include "display/picture.h"
+#include "display/screen_pass.h"
 #include "display/text.h"
 
 namespace brewster {
@@ -38,11 +39,11 @@ class Viewer {
           rays_(scene),
           picture_(scene),
           navigation_([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene.radius()),
-          exposure_(options.exposure.value_or(0.0f)),
           exposure_settled_(options.exposure.has_value()) {
         const Camera& first = options.camera.empty() ? scene.cameras.front() : scene.camera(options.camera);
         camera_index_ = static_cast<std::size_t>(&first - scene.cameras.data());
         camera_ = first;
+        rendition_.exposure = options.exposure.value_or(0.0f);
     }
 
     void run() {
@@ -68,7 +69,8 @@ class Viewer {
     bool moving() const { return now() - last_motion_ < rest_after; }
     int wanted_draws() const { return picture_.bins() ? Picture::full_draws : 1; }
     bool busy() const {
-        return !minimised_ && (must_present_ || !picture_.uploaded() || moving() || picture_.draws() < wanted_draws());
+        return !minimised_ &&
+               (must_present_ || !picture_.uploaded() || moving() || picture_.draws(rendition_) < wanted_draws());
     }
 
     std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const {
@@ -95,8 +97,9 @@ class Viewer {
         if (event.key == Key::n) choose_camera((camera_index_ + (event.shift ? count - 1 : 1)) % count);
         if (event.key == Key::home) choose_camera(camera_index_);
         if (event.key == Key::p && picture_.bins()) {
-            picture_.set_polarization(!picture_.polarization());
+            rendition_.polarization = !rendition_.polarization;
             draws_to_present_ = 1;
+            must_present_ = true;
         }
     }
 
@@ -110,13 +113,13 @@ class Viewer {
 
     void take_bins() {
         const bool first = !picture_.bins();
-        if (first || moving() || picture_.draws() >= draws_before_change) {
+        if (first || moving() || picture_.draws(rendition_) >= draws_before_change) {
             if (std::shared_ptr<const Snapshot> bins = light_.snapshot()) picture_.show(std::move(bins));
         }
         if (picture_.uploaded() || !picture_.upload(Picture::frame_bytes)) return;
         draws_to_present_ = first || moving() ? 1 : draws_before_change;
         if (exposure_settled_) return;
-        exposure_ = picture_.exposure_of(scene_.cameras.front());
+        rendition_.exposure = picture_.exposure_of(scene_.cameras.front());
         exposure_settled_ = picture_.bins()->photons >= photons_of_settled_exposure;
     }
 
@@ -134,9 +137,9 @@ class Viewer {
         const bool in_motion = moving();
         const int shrink = in_motion && resolution_.half() ? 2 : 1;
         picture_.look(camera_, (size.x + shrink - 1) / shrink, (size.y + shrink - 1) / shrink);
-        const bool drawn = picture_.draws() < wanted_draws();
-        if (drawn) picture_.draw();
-        const bool ready = picture_.draws() >= draws_to_present_;
+        const bool drawn = picture_.draws(rendition_) < wanted_draws();
+        if (drawn) picture_.draw(1, rendition_);
+        const bool ready = picture_.draws(rendition_) >= draws_to_present_;
         if (must_present_ || (ready && (drawn || progress_changed_))) {
             present(size);
             must_present_ = progress_changed_ = false;
@@ -150,15 +153,13 @@ class Viewer {
 
     void present(glm::ivec2 size) {
         const Screen screen = Screen::window(size.x, size.y);
-        picture_.present(screen, exposure_);
+        screen_pass_.show(screen, picture_.light(), rendition_);
         const int text_size = std::clamp(size.y / 45, 12, 32);
         if (!progress_.empty()) text_.add_label(progress_, glm::vec2(0.5f * static_cast<float>(text_size)), text_size);
         text_.draw(screen);
         if (options_.legend && picture_.bins()) {
             const std::string name = camera_.name + (moved_ ? " (moved)" : "");
-            draw_legend(
-                text_, screen,
-                {Map::radiance, scene_.name, name, picture_.bins()->photons, exposure_, picture_.polarization()});
+            draw_legend(text_, screen, {rendition_, scene_.name, name, picture_.bins()->photons});
         }
         window_.swap();
     }
@@ -169,13 +170,14 @@ class Viewer {
     const ViewerOptions& options_;
     Rays rays_;
     Picture picture_;
+    ScreenPass screen_pass_;
+    Rendition rendition_;
     Text text_;
     Navigation navigation_;
     MotionResolution resolution_;
     Camera camera_;
     std::size_t camera_index_ = 0;
     bool moved_ = false;  ///< the camera is no longer where the file has it
-    float exposure_;
     bool exposure_settled_;
     std::string progress_;
     bool progress_changed_ = false, must_present_ = true, minimised_ = false, quit_ = false;

@@ -1,15 +1,47 @@
-// The mean of the draws as the screen shows it.
+// Linear light as the screen shows it: behind an analyzer, as a map, exposed. The light comes as means times `draws`,
+// from draws of the bins or from rays of the eye.
 
-#include "shared/tone.h"
+#include "maps.glsl"
 
-uniform sampler2D sum;
-uniform float draws;
+uniform sampler2D light_s0, light_s1, light_s2, light_s3;
+uniform sampler2D light_unpolarized;
+uniform sampler2D variance_s0, variance_linear, variance_s3;
+uniform sampler2D squares_s0;  // sum over the draws of the square of S0
+uniform float draws, unpolarized_draws;
+uniform bool has_squares;
+uniform int map;
+uniform int palette;
+uniform vec4 analyzer;     // see analysed in shared/stokes.h
 uniform float exposure;    // EV
 uniform vec2 screen_size;  // pixels
 
 out vec4 colour;
 
+// Between pixels only where the picture is stretched: a filter of eight bits lets a bright neighbour in even at a centre.
+vec3 sampled(sampler2D picture) {
+    if (textureSize(picture, 0) == ivec2(screen_size)) return texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+    return texture(picture, gl_FragCoord.xy / screen_size).rgb;
+}
+
 void main() {
-    vec3 radiance = texture(sum, gl_FragCoord.xy / screen_size).rgb / draws;
-    colour = vec4(screen_colour(radiance, exposure), 1.0);
+    PixelLight light;
+    light.s0 = sampled(light_s0) / draws;
+    light.s1 = light.s2 = light.s3 = light.unpolarized = vec3(0.0);
+    light.error_s0 = light.error_linear = light.error_s3 = vec3(0.0);
+    if (map != map_bins && (map != map_radiance || analyzer.w != 0.0)) {
+        light.s1 = sampled(light_s1) / draws;
+        light.s2 = sampled(light_s2) / draws;
+        light.s3 = sampled(light_s3) / draws;
+        light.unpolarized = sampled(light_unpolarized) / unpolarized_draws;
+        vec3 variance = sampled(variance_s0) / draws;
+        if (has_squares && draws > 1.0) {
+            vec3 spread = sampled(squares_s0) / draws - light.s0 * light.s0;
+            variance += max(spread, vec3(0.0)) / (draws - 1.0);
+        }
+        light.error_s0 = sqrt(variance);
+        light.error_linear = sqrt(sampled(variance_linear) / draws);
+        light.error_s3 = sqrt(sampled(variance_s3) / draws);
+        light = behind(analyzer, light);
+    }
+    colour = vec4(map_colour(map, light, exposure, palette), 1.0);
 }

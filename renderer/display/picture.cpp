@@ -46,23 +46,6 @@ bool same_view(const Camera& a, const Camera& b) {
            a.vertical_field_of_view == b.vertical_field_of_view && a.near_distance == b.near_distance;
 }
 
-std::vector<std::string> stokes_defines(bool polarizes) {
-    if (!polarizes) return {};
-    return {"BREWSTER_STOKES"};
-}
-
-std::vector<std::string> chart_defines(TexelStorage storage, bool polarizes) {
-    std::vector<std::string> defines = texel_defines(storage);
-    for (const std::string& define : stokes_defines(polarizes)) defines.push_back(define);
-    return defines;
-}
-
-void bind_texture(const Program& program, const char* uniform, int unit, GLuint texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
-    program.set(uniform, unit);
-}
-
 }  // namespace
 
 Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
@@ -73,11 +56,7 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
       materials_(TexelFormat::float4, storage_),
       passages_(scene),
       textures_(scene),
-      mesh_(scene),
-      chart_program_("chart.vert", "chart.frag", chart_defines(storage_, polarizes_)),
-      accumulate_program_("full_screen.vert", "accumulate.frag", stokes_defines(polarizes_)),
-      screen_program_("full_screen.vert", "screen.frag"),
-      no_vertices_(VertexArray::create()) {
+      mesh_(scene) {
     std::vector<glm::vec4> texels;
     for (const Chart& chart : scene.charts) {
         const Material& material = scene.materials[chart.material];
@@ -104,100 +83,125 @@ void Picture::show(std::shared_ptr<const Snapshot> bins) {
 
 bool Picture::upload(std::size_t bytes) {
     const bool other_bins = upload_.advance(bytes);
-    if (other_bins) draws_ = 0;
+    if (other_bins) forget();
     check_gl("upload of the bins");
     return other_bins;
 }
 
 void Picture::look(const Camera& camera, int width, int height) {
-    if (width != drawn_.width() || height != drawn_.height()) {
-        drawn_ = RenderTarget(width, height, polarizes_ ? 5 : 2, true);
-        sums_ = RenderTarget(width, height, polarizes_ ? 6 : 3, false);
-        draws_ = 0;
-    }
-    if (!same_view(camera, camera_)) draws_ = 0;
+    if (!same_view(camera, camera_)) forget();
     camera_ = camera;
+    width_ = width;
+    height_ = height;
+    for (const Part part : {polarized, unpolarized, cells})
+        if (layers_[part]) layers_[part]->resize(width, height);
+    if (!layers_[polarized]) layer(polarized);
 }
 
-void Picture::set_polarization(bool on) {
-    if (on != polarization_) draws_ = 0;
-    polarization_ = on;
+void Picture::forget() {
+    for (std::optional<Layer>& made : layers_)
+        if (made) made->forget();
 }
 
-void Picture::draw(int count) {
-    BREWSTER_CHECK(drawn_.width() > 0, "look first");
-    for (int i = 0; i < count; ++i) draw_once();
+Layer& Picture::layer(Part part) {
+    std::optional<Layer>& made = layers_[part];
+    if (!made) {
+        const LayerKind kind = part == cells                     ? LayerKind::cells
+                               : part == polarized && polarizes_ ? LayerKind::stokes
+                                                                 : LayerKind::radiance;
+        made.emplace(kind, texel_defines(storage_));
+    }
+    made->resize(width_, height_);
+    return *made;
+}
+
+const Layer* Picture::drawn_layer(Part part) const {
+    const std::optional<Layer>& made = layers_[place_of(part)];
+    return made && made->draws() > 0 ? &*made : nullptr;
+}
+
+std::array<bool, 3> Picture::parts_of(const Rendition& rendition) const {
+    if (rendition.map == Map::bins) return {false, false, true};
+    if (!polarizes_) return {true, false, false};
+    return {rendition.shows_polarized_world(), rendition.shows_unpolarized_world(), false};
+}
+
+void Picture::draw(int count, const Rendition& rendition) {
+    BREWSTER_CHECK(width_ > 0, "look first");
+    const std::array<bool, 3> wanted = parts_of(rendition);
+    const int aim = draws(rendition) + count;
+    for (const Part part : {polarized, unpolarized, cells})
+        if (wanted[part])
+            while (layer(part).draws() < aim) draw_part(part);
     check_gl("picture of " + scene_.name);
 }
 
-void Picture::draw_once() {
-    drawn_.bind();
-    drawn_.clear();
-    if (upload_.drawn()) {
-        const glm::vec2 offset = jitter(draws_);
-        const float far_distance = 1.01f * (glm::length(camera_.position) + scene_.radius());
-        chart_program_.set("view_projection",
-                           view_projection(camera_, drawn_.width(), drawn_.height(), offset.x, offset.y, far_distance));
-        chart_program_.set("shown_world", upload_.world_offsets(polarization_ ? 0 : 1));
-        chart_program_.set("unpolarized", polarization_ ? 0 : 1);
-        chart_program_.set("gloss_components", upload_.drawn()->gloss.components);
-        chart_program_.set("eye", camera_.position);
-        if (polarizes_) chart_program_.set("camera_up", camera_.up);
-        upload_.bind(chart_program_, 0);
-        materials_.bind(chart_program_, "chart_materials", BinUpload::units);
-        passages_.bind(chart_program_, "passages", BinUpload::units + 1);
-        for (const ChartGroup& group : mesh_.groups()) {
-            textures_.bind(chart_program_, "albedo_texture", BinUpload::units + 2, group.texture);
-            mesh_.draw(group);
-        }
-    }
-    sums_.bind();
-    if (draws_ == 0) sums_.clear();
-    const std::array<const char*, 5> drawn = {"drawn_s0", "drawn_variance", "drawn_s1", "drawn_s2", "drawn_s3"};
-    for (int i = 0; i < (polarizes_ ? 5 : 2); ++i)
-        bind_texture(accumulate_program_, drawn[static_cast<std::size_t>(i)], i, drawn_.texture(i));
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    glBindVertexArray(no_vertices_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_BLEND);
-    ++draws_;
+int Picture::draws(const Rendition& rendition) const {
+    const std::array<bool, 3> wanted = parts_of(rendition);
+    int least = std::numeric_limits<int>::max();
+    for (const Part part : {polarized, unpolarized, cells})
+        if (wanted[part]) least = std::min(least, layers_[part] ? layers_[part]->draws() : 0);
+    return least;
 }
 
-Image Picture::stokes() const {
-    BREWSTER_CHECK(draws_ > 0, "draw first");
-    const std::vector<float> sum = sums_.read(0), squares = sums_.read(1), variances = sums_.read(2);
-    check_gl("reading the picture");
-    Image image(drawn_.width(), drawn_.height());
-    for (int component = 0; component < 4; ++component) {
-        for (int band = 0; band < 3; ++band) image.add_channel(stokes_channel(component, band));
+void Picture::draw_part(Part part) {
+    Layer& target = layer(part);
+    target.add([&](const Program& program) {
+        if (upload_.drawn()) draw_charts(program, part, target.draws());
+    });
+}
+
+void Picture::draw_charts(const Program& program, Part part, int index) const {
+    const glm::vec2 offset = jitter(index);
+    const float far_distance = 1.01f * (glm::length(camera_.position) + scene_.radius());
+    program.set("view_projection", view_projection(camera_, width_, height_, offset.x, offset.y, far_distance));
+    program.set("eye", camera_.position);
+    if (part != cells) {  // which have neither world nor light
+        program.set("gloss_components", upload_.drawn()->gloss.components);
+        program.set("shown_world", upload_.world_offsets(part == unpolarized ? 1 : 0));
+        program.set("unpolarized", part == unpolarized ? 1 : 0);
+        passages_.bind(program, "passages", BinUpload::units + 1);
     }
-    for (int component = 0; component < 4; ++component) {
-        for (int band = 0; band < 3; ++band) image.add_channel(variance_channel(component, band));
+    if (program.has("camera_up")) program.set("camera_up", camera_.up);
+    upload_.bind(program, 0);
+    materials_.bind(program, "chart_materials", BinUpload::units);
+    for (const ChartGroup& group : mesh_.groups()) {
+        textures_.bind(program, "albedo_texture", BinUpload::units + 2, group.texture);
+        mesh_.draw(group);
     }
-    const double n = draws_;
-    for (int band = 0; band < 3; ++band) {
-        std::vector<float>& radiance = image.channel(stokes_channel(0, band));
-        std::vector<float>& variance = image.channel(variance_channel(0, band));
-        for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
-            const std::size_t i = 4 * pixel + static_cast<std::size_t>(band);
-            const double mean = static_cast<double>(sum[i]) / n;
-            const double spread = draws_ < 2 ? 0 : std::max(0.0, static_cast<double>(squares[i]) / n - mean * mean);
-            radiance[pixel] = static_cast<float>(mean);
-            variance[pixel] = static_cast<float>(static_cast<double>(variances[i]) / n + spread / std::max(1.0, n - 1));
-        }
+}
+
+LightTextures Picture::light() const {
+    LightTextures textures;
+    const auto world_of = [&](Part part) {
+        LightTextures::World world;
+        const Layer* drawn = drawn_layer(part);
+        if (!drawn) return world;
+        world.s0 = drawn->texture(Layer::s0);
+        world.variance_s0 = drawn->texture(Layer::variance_s0);
+        world.squares_s0 = drawn->texture(Layer::squares_s0);
+        world.draws = static_cast<float>(drawn->draws());
+        if (drawn->kind() == LayerKind::radiance) return world;
+        world.s1 = drawn->texture(Layer::s1);
+        world.s2 = drawn->texture(Layer::s2);
+        world.s3 = drawn->texture(Layer::s3);
+        world.variance_linear = drawn->texture(Layer::variance_linear);
+        world.variance_s3 = drawn->texture(Layer::variance_s3);
+        return world;
+    };
+    textures.polarized = world_of(polarized);
+    textures.unpolarized = world_of(unpolarized);
+    if (const Layer* drawn = drawn_layer(cells)) {
+        textures.cells = drawn->texture(Layer::s0);
+        textures.cells_draws = static_cast<float>(drawn->draws());
     }
-    for (int component = 1; polarizes_ && component < 4; ++component) {
-        const std::vector<float> polarized = sums_.read(2 + component);
-        for (int band = 0; band < 3; ++band) {
-            std::vector<float>& values = image.channel(stokes_channel(component, band));
-            // No component is less certain than the radiance that bears it.
-            image.channel(variance_channel(component, band)) = image.channel(variance_channel(0, band));
-            for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
-                values[pixel] = polarized[4 * pixel + static_cast<std::size_t>(band)] / static_cast<float>(draws_);
-        }
-    }
-    return image;
+    return textures;
+}
+
+Image Picture::stokes(bool polarization) const {
+    const Layer* drawn = drawn_layer(polarization ? polarized : unpolarized);
+    BREWSTER_CHECK(drawn != nullptr, "draw first");
+    return drawn->stokes();
 }
 
 void Picture::finish() const {
@@ -205,28 +209,14 @@ void Picture::finish() const {
 }
 
 float Picture::exposure_of(const Camera& camera) {
-    const bool polarization = polarization_;
-    set_polarization(false);
+    Rendition off;
+    off.polarization = false;
     look(camera, 128, 96);
-    draws_ = 0;
-    draw(4);
-    const float exposure = auto_exposure(stokes());
-    set_polarization(polarization);
-    draws_ = 0;
+    forget();
+    draw(4, off);
+    const float exposure = auto_exposure(stokes(false));
+    forget();
     return exposure;
-}
-
-void Picture::present(const Screen& screen, float exposure) const {
-    screen.bind();
-    screen.clear();
-    if (draws_ == 0) return;
-    bind_texture(screen_program_, "sum", 0, sums_.texture(0));
-    screen_program_.set("draws", static_cast<float>(draws_));
-    screen_program_.set("exposure", exposure);
-    screen_program_.set("screen_size", glm::vec2(screen.width(), screen.height()));
-    glBindVertexArray(no_vertices_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    check_gl("showing the picture");
 }
 
 }  // namespace brewster

@@ -1,14 +1,16 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "display/albedo_textures.h"
 #include "display/chart_mesh.h"
+#include "display/layer.h"
+#include "display/light_textures.h"
 #include "display/passage_table.h"
-#include "display/program.h"
-#include "display/render_target.h"
-#include "display/screen.h"
+#include "display/rendition.h"
 #include "display/upload.h"
 #include "image/image.h"
 #include "scene/scene.h"
@@ -20,6 +22,7 @@ namespace brewster {
 ///
 /// Headless:  Picture picture(scene);  picture.show(snapshot);  picture.upload();
 ///            picture.look(camera, width, height);  picture.draw(64);  write_stokes_exr(path, picture.stokes());
+/// For eyes:  ScreenPass().show(screen, picture.light(), rendition);
 class Picture {
   public:
     static constexpr int full_draws = 64;  ///< what a picture at rest is made of by default
@@ -41,30 +44,37 @@ class Picture {
     /// From where and how large; another camera or size forgets the draws so far.
     void look(const Camera& camera, int width, int height);
 
-    /// Which world is drawn: light as it is, or as if no surface could tell polarizations apart. A change forgets the
-    /// draws so far.
-    void set_polarization(bool on);
-    bool polarization() const { return polarization_; }
-
-    /// Adds draws to the mean. The first looks through the pixels' centres, but 1/128 to the upper left, the next all
-    /// over the pixels; 64, or a multiple, see edges best.
-    void draw(int count = 1);
-    int draws() const { return draws_; }
+    /// Adds draws of what the rendition looks at: one world, both, or the cells; each has a mean of its own, so that going
+    /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the
+    /// next all over the pixels; 64, or a multiple, see edges best.
+    void draw(int count = 1, const Rendition& rendition = {});
+    /// Of all that the rendition looks at.
+    int draws(const Rendition& rendition = {}) const;
     void finish() const;  ///< returns when all is drawn, for measuring
 
-    /// The mean of the draws: S0 .. S3 and V0 .. V3. V is the variance of the bins, which the draws share, plus that of
-    /// the draws' mean as if they were independent: at edges their even spread does several times better.
-    Image stokes() const;
+    /// What ScreenPass shows, for renditions that have been drawn.
+    LightTextures light() const;
+
+    /// The mean of the draws of one world: S0 .. S3 and V0 .. V3. V0 is the variance of the bins, which the draws share,
+    /// plus that of the draws' mean as if they were independent: at edges their even spread does several times better.
+    /// V1 to V3 are of the bins alone; V1 and V2 are the larger one of both.
+    Image stokes(bool polarization = true) const;
 
     /// auto_exposure of what this camera sees in the unpolarized world, from a small picture of its own size: the same
     /// for every use of the bins. Forgets the draws so far.
     float exposure_of(const Camera& camera);
 
-    /// Fills the screen with the mean of the draws at this exposure in EV, stretched where the sizes differ.
-    void present(const Screen& screen, float exposure) const;
-
   private:
-    void draw_once();
+    enum Part { polarized, unpolarized, cells };
+    /// Which parts a rendition looks at.
+    std::array<bool, 3> parts_of(const Rendition& rendition) const;
+    /// Where the draws of a part are: without polarizing surfaces both worlds are one.
+    Part place_of(Part part) const { return part == unpolarized && !polarizes_ ? polarized : part; }
+    Layer& layer(Part part);
+    const Layer* drawn_layer(Part part) const;
+    void draw_part(Part part);
+    void draw_charts(const Program& program, Part part, int index) const;
+    void forget();
 
     const Scene& scene_;
     TexelStorage storage_;
@@ -74,12 +84,9 @@ class Picture {
     PassageTable passages_;
     AlbedoTextures textures_;
     ChartMesh mesh_;
-    Program chart_program_, accumulate_program_, screen_program_;
-    VertexArray no_vertices_;
-    RenderTarget drawn_, sums_;
+    std::array<std::optional<Layer>, 3> layers_;  // made when first drawn
     Camera camera_;
-    int draws_ = 0;
-    bool polarization_ = true;
+    int width_ = 0, height_ = 0;
 };
 
 }  // namespace brewster

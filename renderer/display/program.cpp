@@ -100,6 +100,11 @@ void Program::set(const std::string& uniform, const glm::vec3& value) const {
     glUniform3f(location(uniform), value.x, value.y, value.z);
 }
 
+void Program::set(const std::string& uniform, const glm::vec4& value) const {
+    use();
+    glUniform4f(location(uniform), value.x, value.y, value.z, value.w);
+}
+
 void Program::set(const std::string& uniform, const glm::mat4& value) const {
     use();
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));

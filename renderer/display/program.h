@@ -2,6 +2,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ class Program {
     void set(const std::string& uniform, glm::vec2 value) const;
     void set(const std::string& uniform, glm::uvec2 value) const;
     void set(const std::string& uniform, const glm::vec3& value) const;
+    void set(const std::string& uniform, const glm::vec4& value) const;
     void set(const std::string& uniform, const glm::mat4& value) const;
 
   private:

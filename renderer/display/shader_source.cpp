@@ -19,9 +19,12 @@ struct EmbeddedFile {
 constexpr EmbeddedFile embedded_files[] = {
     {"accumulate.frag", embedded::accumulate_frag},
     {"bins.glsl", embedded::bins_glsl},
+    {"cells.frag", embedded::cells_frag},
     {"chart.frag", embedded::chart_frag},
+    {"chart.glsl", embedded::chart_glsl},
     {"chart.vert", embedded::chart_vert},
     {"full_screen.vert", embedded::full_screen_vert},
+    {"maps.glsl", embedded::maps_glsl},
     {"screen.frag", embedded::screen_frag},
     {"text.frag", embedded::text_frag},
     {"text.vert", embedded::text_vert},
@@ -29,6 +32,8 @@ constexpr EmbeddedFile embedded_files[] = {
     {"shared/direction_map.h", embedded::direction_map_h},
     {"shared/gloss_lookup.h", embedded::gloss_lookup_h},
     {"shared/lookup.h", embedded::lookup_h},
+    {"shared/map_colours.h", embedded::map_colours_h},
+    {"shared/stokes.h", embedded::stokes_h},
     {"shared/tone.h", embedded::tone_h},
 };
 

@@ -68,12 +68,14 @@ glm::uvec2 BinUpload::world_offsets(int world) const {
 
 void BinUpload::bind(const Program& program, int first_unit) const {
     const Side& side = sides_[drawn_side_];
-    side.nodes.bind(program, "bin_nodes", first_unit);
-    side.leaves.bind(program, "bin_leaves", first_unit + 1);
-    side.roots.bind(program, "chart_roots", first_unit + 2);
-    if (!program.has("gloss_nodes")) return;
-    side.gloss_nodes.bind(program, "gloss_nodes", first_unit + 3);
-    side.gloss_leaves.bind(program, "gloss_leaves", first_unit + 4);
+    int unit = first_unit;
+    for (const auto& [name, texels] :
+         {std::pair("bin_nodes", &side.nodes), std::pair("bin_leaves", &side.leaves),
+          std::pair("chart_roots", &side.roots), std::pair("gloss_nodes", &side.gloss_nodes),
+          std::pair("gloss_leaves", &side.gloss_leaves)}) {
+        if (program.has(name)) texels->bind(program, name, unit);
+        ++unit;
+    }
 }
 
 }  // namespace brewster

@@ -28,8 +28,8 @@ class BinUpload {
     glm::uvec2 world_offsets(int world) const;
 
     static constexpr int units = 5;
-    /// Binds the drawn bins to `units` texture units from `first_unit` on, under the names of shaders/bins.glsl;
-    /// those of gloss only where the program looks at them.
+    /// Binds what the program looks at of the drawn bins to `units` texture units from `first_unit` on, under the names
+    /// of shaders/bins.glsl.
     void bind(const Program& program, int first_unit) const;
 
   private:

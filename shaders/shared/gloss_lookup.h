@@ -5,15 +5,23 @@
 struct GlossValue {
     vec3 s0, s1, s2, s3;  // red, green, blue; in the frame carried from the chart's u axis
     vec3 standard_error;  // of s0
+    vec3 linear_error;    // the larger one of s1 and s2
+    vec3 circular_error;  // of s3
+    uint leaf;
 };
 
-BREWSTER_FUNCTION vec3 gloss_field(BREWSTER_BINS_PARAMETER uint first, vec4 x) {
-    vec3 value = vec3(fetch_gloss_texel(BREWSTER_BINS first));
-    value += x.x * vec3(fetch_gloss_texel(BREWSTER_BINS first + 1u));
-    value += x.y * vec3(fetch_gloss_texel(BREWSTER_BINS first + 2u));
-    value += x.z * vec3(fetch_gloss_texel(BREWSTER_BINS first + 3u));
-    value += x.w * vec3(fetch_gloss_texel(BREWSTER_BINS first + 4u));
-    return value;
+struct GlossField {
+    vec3 value, standard_error;
+};
+
+BREWSTER_FUNCTION GlossField gloss_field(BREWSTER_BINS_PARAMETER uint first, vec4 x) {
+    vec4 mean = fetch_gloss_texel(BREWSTER_BINS first);
+    vec4 slope_0 = fetch_gloss_texel(BREWSTER_BINS first + 1u), slope_1 = fetch_gloss_texel(BREWSTER_BINS first + 2u);
+    vec4 slope_2 = fetch_gloss_texel(BREWSTER_BINS first + 3u), slope_3 = fetch_gloss_texel(BREWSTER_BINS first + 4u);
+    GlossField field;
+    field.value = vec3(mean) + x.x * vec3(slope_0) + x.y * vec3(slope_1) + x.z * vec3(slope_2) + x.w * vec3(slope_3);
+    field.standard_error = vec3(mean.w, slope_0.w, slope_1.w);
+    return field;
 }
 
 // `components`: of the bins; `unpolarized`: the other world, which has S0 alone.
@@ -44,18 +52,27 @@ BREWSTER_FUNCTION GlossValue look_up_gloss(BREWSTER_BINS_PARAMETER uint root, in
                   2.0f * float(direction_u - low_2) / float(high_2 - low_2) - 1.0f,
                   2.0f * float(direction_v - low_3) / float(high_3 - low_3) - 1.0f);
     uint fields = components > 1 ? uint(components) + 1u : 1u;
-    uint first = (node.y & ~BREWSTER_NODE_LEAF) * fields * BREWSTER_GLOSS_FIELD_TEXELS;
+    uint leaf = node.y & ~BREWSTER_NODE_LEAF;
+    uint first = leaf * fields * BREWSTER_GLOSS_FIELD_TEXELS;
     GlossValue value;
-    value.s1 = value.s2 = value.s3 = vec3(0.0f);
+    value.leaf = leaf;
+    value.s1 = value.s2 = value.s3 = value.linear_error = value.circular_error = vec3(0.0f);
     if (unpolarized && components > 1) {
         first += uint(components) * BREWSTER_GLOSS_FIELD_TEXELS;
     } else if (components > 1) {
-        value.s1 = gloss_field(BREWSTER_BINS first + BREWSTER_GLOSS_FIELD_TEXELS, x);
-        value.s2 = gloss_field(BREWSTER_BINS first + 2u * BREWSTER_GLOSS_FIELD_TEXELS, x);
-        if (components > 3) value.s3 = gloss_field(BREWSTER_BINS first + 3u * BREWSTER_GLOSS_FIELD_TEXELS, x);
+        GlossField s1 = gloss_field(BREWSTER_BINS first + BREWSTER_GLOSS_FIELD_TEXELS, x);
+        GlossField s2 = gloss_field(BREWSTER_BINS first + 2u * BREWSTER_GLOSS_FIELD_TEXELS, x);
+        value.s1 = s1.value;
+        value.s2 = s2.value;
+        value.linear_error = max(s1.standard_error, s2.standard_error);
+        if (components > 3) {
+            GlossField s3 = gloss_field(BREWSTER_BINS first + 3u * BREWSTER_GLOSS_FIELD_TEXELS, x);
+            value.s3 = s3.value;
+            value.circular_error = s3.standard_error;
+        }
     }
-    value.s0 = max(gloss_field(BREWSTER_BINS first, x), vec3(0.0f));
-    value.standard_error = vec3(fetch_gloss_texel(BREWSTER_BINS first).w, fetch_gloss_texel(BREWSTER_BINS first + 1u).w,
-                                fetch_gloss_texel(BREWSTER_BINS first + 2u).w);
+    GlossField s0 = gloss_field(BREWSTER_BINS first, x);
+    value.s0 = max(s0.value, vec3(0.0f));
+    value.standard_error = s0.standard_error;
     return value;
 }

@@ -5,6 +5,7 @@
 struct BinValue {
     vec3 value;           // entered flux per area, red, green, blue
     vec3 standard_error;  // of the leaf
+    uint leaf;
 };
 
 // [0, 1] -> fixed point; what lies outside is clamped to the border.
@@ -50,5 +51,6 @@ BREWSTER_FUNCTION BinValue look_up(BREWSTER_BINS_PARAMETER uint root, uint world
     BinValue result;
     result.value = max(low + y * (high - low), vec3(0.0f));
     result.standard_error = vec3(low_low.w, high_low.w, low_high.w);
+    result.leaf = node.y & ~BREWSTER_NODE_LEAF;
     return result;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/analyzer_text.h"
+
 namespace brewster {
 namespace {
 
@@ -54,7 +56,29 @@ TEST(CommandLine, ShotTakesItsOptions) {
     EXPECT_EQ(options.samples, 8);
     EXPECT_FALSE(options.legend);
     EXPECT_EQ(options.maps, (std::vector<Map>{Map::radiance}));
+    EXPECT_EQ(options.analyzer, Analyzer{});
     EXPECT_EQ(options.out, "{camera}.exr");
+}
+
+TEST(CommandLine, ShotTakesMapsAndAnalyzers) {
+    const auto options =
+        std::get<ShotOptions>(parse({"shot", "box.gltf", "--map", "dolp", "--map", "aolp", "--analyzer", "-22.5",
+                                     "--palette", "red-green", "--polarization", "off"}));
+    EXPECT_EQ(options.maps, (std::vector<Map>{Map::dolp, Map::aolp}));
+    EXPECT_EQ(options.analyzer, (Analyzer{Analyzer::Kind::linear, -22.5}));
+    EXPECT_EQ(options.palette, Palette::red_green);
+    EXPECT_FALSE(options.polarization);
+    EXPECT_EQ(std::get<ShotOptions>(parse({"shot", "box.gltf", "--map", "all"})).maps.size(), map_descriptions.size());
+    EXPECT_EQ(std::get<ShotOptions>(parse({"shot", "box.gltf", "--analyzer", "left"})).analyzer.kind,
+              Analyzer::Kind::left);
+    EXPECT_NE(end_of({"shot", "box.gltf", "--map", "dollp"}).text.find("did you mean 'dolp'"), std::string::npos);
+}
+
+TEST(AnalyzerText, ReadsWhatItWrites) {
+    for (const Analyzer& analyzer : {Analyzer{}, Analyzer{Analyzer::Kind::linear, 0.1}, Analyzer{Analyzer::Kind::right},
+                                     Analyzer{Analyzer::Kind::left}, Analyzer{Analyzer::Kind::linear, -1e-7}})
+        EXPECT_EQ(parse_analyzer(analyzer_text(analyzer)), analyzer);
+    for (const char* text : {"", "up", "30deg", "nan", "inf"}) EXPECT_FALSE(parse_analyzer(text)) << text;
 }
 
 TEST(CommandLine, OtherVerbs) {
@@ -104,7 +128,8 @@ TEST(CommandLine, BadValuesAreRefusedByName) {
         {"--photons", "1.5"}, {"--photons", "1e30"},    {"--photons", "0"},      {"--photons", "-1"},
         {"--seconds", "0"},   {"--seconds", "soon"},    {"--target-error", "2"}, {"--threads", "0"},
         {"--threads", "1e6"}, {"--seed", "1.5"},        {"--memory", "nan"},     {"--size", "640"},
-        {"--samples", "0"},   {"--exposure", "bright"}, {"--legend", "maybe"},   {"--map", "heat"}};
+        {"--samples", "0"},   {"--exposure", "bright"}, {"--legend", "maybe"},   {"--map", "heat"},
+        {"--analyzer", "up"}, {"--palette", "rainbow"}};
     for (const auto& [option, value] : bad) {
         const CommandLineEnd end = end_of({"shot", "box.gltf", option, value});
         EXPECT_EQ(end.exit_code, 2) << option << ' ' << value;

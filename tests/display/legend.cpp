@@ -1,5 +1,7 @@
 #include "display/legend.h"
 
+#include "display/legend_scale.h"
+
 #include "display/tone.h"
 #include "gl_test.h"
 
@@ -21,12 +23,10 @@ TEST(Legend, ScaleMarksArePowersOfTenWithin) {
     EXPECT_EQ(scale_marks(1e-3, 1e3, 4), (std::vector<double>{1e-3, 1e-1, 1e1, 1e3}));
 }
 
-TEST(Maps, TableAndEnumAgree) {
-    for (const MapDescription& entry : map_descriptions) {
-        EXPECT_EQ(description(entry.map).name, entry.name);
-        EXPECT_EQ(find_map(entry.name), entry.map);
-    }
-    EXPECT_FALSE(find_map("no such map"));
+TEST(Legend, AnalyzersAreNamed) {
+    EXPECT_EQ(analyzer_words({}), "");
+    EXPECT_EQ(analyzer_words({Analyzer::Kind::linear, 22.5}), "analyzer 22.5\u00b0");
+    EXPECT_EQ(analyzer_words({Analyzer::Kind::left}), "left circular analyzer");
 }
 
 class LegendTest : public GlTest {
@@ -36,7 +36,9 @@ class LegendTest : public GlTest {
         screen.bind();
         screen.clear();
         Text text;
-        draw_legend(text, screen, {Map::radiance, "cornell-box", "front", 10000000, exposure});
+        Rendition rendition;
+        rendition.exposure = exposure;
+        draw_legend(text, screen, {rendition, "cornell-box", "front", 10000000});
         return screen.read();
     }
 

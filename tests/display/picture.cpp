@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "bins/lookup.h"
+#include "display/screen_pass.h"
 #include "display/tone.h"
 #include "gl_test.h"
 #include "hand_made.h"
@@ -280,7 +281,9 @@ TEST_F(PictureTest, ScreenShowsTheToneMappedMean) {
     picture.draw(4);
     const Image image = picture.stokes();
     const Screen screen = Screen::off_screen(50, 40);
-    picture.present(screen, -1.5f);
+    Rendition dark;
+    dark.exposure = -1.5f;
+    ScreenPass().show(screen, picture.light(), dark);
     const ScreenImage pixels = screen.read();
     for (std::size_t i = 0; i < image.pixel_count(); ++i) {
         const glm::vec3 radiance(image.channel("S0.R")[i], image.channel("S0.G")[i], image.channel("S0.B")[i]);
@@ -300,7 +303,7 @@ TEST_F(PictureTest, SmallerPictureIsStretchedOverTheScreen) {
     picture.look(camera_at({0, 0, 0}, {0, 0, -1}, {0, 1, 0}), 40, 40);
     picture.draw();
     const Screen screen = Screen::off_screen(80, 80);
-    picture.present(screen, 0);
+    ScreenPass().show(screen, picture.light(), {});
     const ScreenImage pixels = screen.read();
     const auto red = [&](int x, int y) { return pixels.rgba[static_cast<std::size_t>(4 * (80 * y + x))]; };
     EXPECT_EQ(red(10, 40), 0);

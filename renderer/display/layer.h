@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "display/program.h"
+#include "display/render_target.h"
+#include "image/image.h"
+
+namespace brewster {
+
+/// What draws of the bins look at: the polarized world's Stokes vectors or, where nothing polarizes, its radiance; the
+/// other world's radiance; the cells.
+enum class LayerKind { stokes, radiance, cells };
+
+/// One picture that grows draw by draw on the graphics side, as sums over the draws.
+class Layer {
+  public:
+    /// `defines`: how the bins are stored (texel_defines).
+    Layer(LayerKind kind, std::vector<std::string> defines);
+
+    /// Another size forgets the draws so far.
+    void resize(int width, int height);
+    void forget() { draws_ = 0; }
+
+    /// Adds what `draw_charts` draws with the program it is given.
+    void add(const std::function<void(const Program&)>& draw_charts);
+
+    int draws() const { return draws_; }
+    LayerKind kind() const { return kind_; }
+
+    /// The sums, in the order of shaders/accumulate.frag.
+    enum Sum { s0, squares_s0, variance_s0, s1, s2, s3, variance_linear, variance_s3 };
+    GLuint texture(Sum sum) const { return sums_.texture(sum); }
+
+    /// The mean of the draws as channels S0.R .. V3.B, see Picture::stokes; not of cells.
+    Image stokes() const;
+
+  private:
+    void add_spread(Image& image) const;  ///< of the draws of S0, to its variance
+    int drawn_textures() const { return kind_ == LayerKind::stokes ? 7 : kind_ == LayerKind::radiance ? 2 : 1; }
+    int sum_textures() const { return kind_ == LayerKind::stokes ? 8 : kind_ == LayerKind::radiance ? 3 : 1; }
+
+    LayerKind kind_;
+    Program chart_program_, accumulate_program_;
+    VertexArray no_vertices_;
+    RenderTarget drawn_, sums_;
+    int draws_ = 0;
+};
+
+}  // namespace brewster
