@@ -1,5 +1,5 @@
 #pragma once
-#include <cmath>
+#include <bit>
 #include <cstdint>
 
 namespace brewster {
@@ -11,12 +11,15 @@ __extension__ using Wide = __int128;
 
 inline constexpr double quanta_per_weight = 0x1p30;
 
-/// Rounds a weight to quanta, ties to even. |weight| must stay below 2^32.
-inline Quanta to_quanta(float weight) {
-    return std::llrint(static_cast<double>(weight) * quanta_per_weight);
-}
+/// Adding this to a double below 2^51 in size leaves its nearest integer in the low bits of the mantissa.
+inline constexpr double rounding_magic = 0x1.8p52;
+
+/// Rounds a weight to quanta, ties to even. |weight| must stay below 2^21. As integer instructions of any width do it.
 inline Quanta to_quanta(double weight) {
-    return std::llrint(weight * quanta_per_weight);
+    return std::bit_cast<Quanta>(weight * quanta_per_weight + rounding_magic) - std::bit_cast<Quanta>(rounding_magic);
+}
+inline Quanta to_quanta(float weight) {
+    return to_quanta(static_cast<double>(weight));
 }
 
 /// Back to a weight; exact up to 2^53 quanta, correctly rounded above.

@@ -174,6 +174,29 @@ inline void store(FloatLanes x, float* to) {
     _mm256_storeu_ps(to, static_cast<__m256>(x));
 }
 
+namespace lanes_detail {
+
+/// Eight rows of eight floats become eight columns.
+inline void transpose(__m256 (&r)[lane_count]) {
+    __m256 pairs[lane_count], quads[lane_count];
+    for (int j = 0; j < 4; ++j) {
+        pairs[2 * j] = _mm256_unpacklo_ps(r[2 * j], r[2 * j + 1]);
+        pairs[2 * j + 1] = _mm256_unpackhi_ps(r[2 * j], r[2 * j + 1]);
+    }
+    for (int k = 0; k < 8; k += 4) {
+        quads[k] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0x44);
+        quads[k + 1] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0xee);
+        quads[k + 2] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0x44);
+        quads[k + 3] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0xee);
+    }
+    for (int j = 0; j < 4; ++j) {
+        r[j] = _mm256_permute2f128_ps(quads[j], quads[j + 4], 0x20);
+        r[j + 4] = _mm256_permute2f128_ps(quads[j], quads[j + 4], 0x31);
+    }
+}
+
+}  // namespace lanes_detail
+
 /// Row `index` of a table, one row a lane; index is integral and inside the table.
 template <class Real, std::size_t columns>
 std::array<Real, columns> read_row(const std::array<float, columns>* table, const Real& index) {
@@ -212,22 +235,8 @@ std::array<Real, columns> blend_rows(const std::array<float, columns>* table, co
                              high = _mm256_loadu_ps(from[1].data() + block);
                 r[lane] = _mm256_fmadd_ps(_mm256_set1_ps(fractions[lane]), _mm256_sub_ps(high, low), low);
             }
-            __m256 pairs[lane_count], quads[lane_count];
-            for (int j = 0; j < 4; ++j) {
-                pairs[2 * j] = _mm256_unpacklo_ps(r[2 * j], r[2 * j + 1]);
-                pairs[2 * j + 1] = _mm256_unpackhi_ps(r[2 * j], r[2 * j + 1]);
-            }
-            for (int j = 0; j < 2; ++j) {
-                const int k = 4 * j;
-                quads[k] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0x44);
-                quads[k + 1] = _mm256_shuffle_ps(pairs[k], pairs[k + 2], 0xee);
-                quads[k + 2] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0x44);
-                quads[k + 3] = _mm256_shuffle_ps(pairs[k + 1], pairs[k + 3], 0xee);
-            }
-            for (std::size_t j = 0; j < 4; ++j) {
-                row[block + j] = FloatLanes(_mm256_permute2f128_ps(quads[j], quads[j + 4], 0x20));
-                row[block + j + 4] = FloatLanes(_mm256_permute2f128_ps(quads[j], quads[j + 4], 0x31));
-            }
+            lanes_detail::transpose(r);
+            for (std::size_t j = 0; j < lane_count; ++j) row[block + j] = FloatLanes(r[j]);
         }
     } else {
         const std::array<float, columns>* from = table + static_cast<std::size_t>(index);

@@ -58,30 +58,50 @@ ByteTables byte_tables() {
     return tables;
 }
 
-std::uint32_t reverse_bits(std::uint32_t x) {
-    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+std::uint32_t reverse_bytes(std::uint32_t x) {
     return __builtin_bswap32(x);
+}
+WordLanes reverse_bytes(WordLanes x) {
+    return (x >> 24) | ((x >> 8) & WordLanes(0xff00u)) | ((x & WordLanes(0xff00u)) << 8) | (x << 24);
+}
+
+template <class Word>
+Word reverse_bits(Word x) {
+    x = ((x >> 1) & Word(0x55555555u)) | ((x & Word(0x55555555u)) << 1);
+    x = ((x >> 2) & Word(0x33333333u)) | ((x & Word(0x33333333u)) << 2);
+    x = ((x >> 4) & Word(0x0f0f0f0fu)) | ((x & Word(0x0f0f0f0fu)) << 4);
+    return reverse_bytes(x);
 }
 
 // Each output bit depends on the lower input bits only: on reversed words that is an Owen scramble.
-std::uint32_t permute_upwards(std::uint32_t x, std::uint32_t key) {
-    x ^= x * 0x3d20adeau;
-    x += key;
-    x *= (key >> 16) | 1u;
-    x ^= x * 0x05526c56u;
-    x ^= x * 0x53a22864u;
-    return x;
+template <class Word>
+Word permute_upwards(Word x, Word key) {
+    x = x ^ (x * Word(0x3d20adeau));
+    x = x + key;
+    x = x * ((key >> 16) | Word(1u));
+    x = x ^ (x * Word(0x05526c56u));
+    return x ^ (x * Word(0x53a22864u));
+}
+
+const ByteTables& tables() {
+    static const ByteTables all = byte_tables();
+    return all;
 }
 
 }  // namespace
 
 std::uint32_t sobol_owen(std::uint32_t index, unsigned dimension, std::uint32_t scramble) {
-    static const ByteTables tables = byte_tables();
-    const auto& table = tables[dimension];
+    const auto& table = tables()[dimension];
     const std::uint32_t point =
         table[0][index & 255u] ^ table[1][(index >> 8) & 255u] ^ table[2][(index >> 16) & 255u] ^ table[3][index >> 24];
+    return reverse_bits(permute_upwards(reverse_bits(point), scramble));
+}
+
+WordLanes sobol_owen(WordLanes index, unsigned dimension, WordLanes scramble) {
+    const auto& table = tables()[dimension];
+    const WordLanes byte(255u);
+    const WordLanes point = gather<1>(table[0].data(), index & byte) ^ gather<1>(table[1].data(), (index >> 8) & byte) ^
+                            gather<1>(table[2].data(), (index >> 16) & byte) ^ gather<1>(table[3].data(), index >> 24);
     return reverse_bits(permute_upwards(reverse_bits(point), scramble));
 }
 

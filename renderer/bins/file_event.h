@@ -1,8 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "bins/imprint.h"
 #include "bins/tree.h"
 
 namespace brewster {
@@ -19,49 +21,38 @@ struct Arrival {
 template <int D>
 inline void file_event(const BinTree<D>& tree, Tally<D>& tally, std::uint32_t leaf,
                        const typename BinTree<D>::Point& point, const Arrival& arrival) {
-    using Layout = RecordLayout<D>;
+    constexpr int most_fields = RecordLayout<D>::most_fields;
     const LeafFrame<D>& frame = tree.frame(leaf);
     const int bands = tree.layout().bands;
     std::array<float, D> x;
     for (std::size_t a = 0; a < D; ++a) x[a] = frame.coordinate(point[a], a);
+    const ImprintPlace place{static_cast<int>(arrival.weights.size()) / bands, arrival.first_field, arrival.first_side,
+                             arrival.replica};
+    std::array<float, static_cast<std::size_t>(most_fields * band_count)> weights{};
+    std::copy(arrival.weights.begin(), arrival.weights.end(), weights.begin());
+    Imprint<float, D, most_fields, band_count> imprint;
+    make_imprint(weights.data(), place.fields, bands, x, imprint);
+    add_imprint<D, most_fields, band_count>(imprint.x.data(), place, bands, tally.estimate(leaf), tally.test(leaf));
+}
 
-    Quanta* estimate = tally.estimate(leaf) + arrival.first_field * bands * Layout::estimate_stride;
-    for (const float w : arrival.weights) {
-        estimate[0] += to_quanta(w);
-        for (std::size_t a = 0; a < D; ++a) estimate[1 + a] += to_quanta(w * x[a]);
-        estimate[1 + D] += to_quanta(w * w);
-        estimate += Layout::estimate_stride;
+/// Cell coordinates of a point in its leaf, in lanes.
+template <int D>
+std::array<FloatLanes, D> leaf_coordinates(const BinTree<D>& tree, WordLanes leaf,
+                                           const std::array<WordLanes, D>& point) {
+    std::array<std::uint32_t, lane_count> leaves;
+    store(leaf, leaves.data());
+    constexpr std::size_t rows = sizeof(LeafFrame<D>) / sizeof(Row);
+    std::array<FloatLanes, rows * row_size> frame;
+    for (std::size_t row = 0; row < rows; ++row) {
+        const Columns columns = load_columns([&](int lane) {
+            return reinterpret_cast<const float*>(&tree.frame(leaves[static_cast<std::size_t>(lane)])) + row * row_size;
+        });
+        for (std::size_t j = 0; j < row_size; ++j) frame[row * row_size + j] = columns[j];
     }
-
-    const float share = 1.0f / static_cast<float>(bands);
-    const auto band_mean = [&](std::size_t field) {
-        float sum = 0;
-        for (int band = 0; band < bands; ++band)
-            sum += arrival.weights[field * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band)];
-        return sum * share;
-    };
-    const float w = band_mean(0);
-    Quanta* test = tally.test(leaf);
-    test[Layout::squares] += to_quanta(w * w);
-    int pair = 0;
-    for (std::size_t a = 0; a < D; ++a) {
-        test[static_cast<std::size_t>(Layout::moments) + a] += to_quanta(w * x[a]);
-        test[static_cast<std::size_t>(Layout::legendre) + a] += to_quanta(w * (1.5f * x[a] * x[a] - 0.5f));
-        test[static_cast<std::size_t>(Layout::signs) + a] += to_quanta(x[a] < 0 ? -w : w);
-        for (std::size_t b = a + 1; b < D; ++b, ++pair)
-            test[Layout::products + pair] += to_quanta((x[a] < 0) != (x[b] < 0) ? -w : w);
-    }
-    test[Layout::replicas + static_cast<int>(arrival.replica)] += to_quanta(w);
-
-    Quanta* side = test + Layout::sides + arrival.first_side * Layout::side_stride;
-    const std::size_t fields = arrival.weights.size() / static_cast<std::size_t>(bands);
-    for (std::size_t field = 1; field < fields; ++field, side += Layout::side_stride) {
-        const float s = band_mean(field);
-        for (std::size_t a = 0; a < D; ++a) {
-            side[a] += to_quanta(s * (1.5f * x[a] * x[a] - 0.5f));
-            side[D + a] += to_quanta(x[a] < 0 ? -s : s);
-        }
-    }
+    std::array<FloatLanes, D> x;
+    for (std::size_t a = 0; a < D; ++a)
+        x[a] = (number_of(point[a] - words_of(frame[a])) - frame[D + a]) * frame[2 * D + a];
+    return x;
 }
 
 }  // namespace brewster

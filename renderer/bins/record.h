@@ -102,6 +102,8 @@ class Tally {
         test_.resize(leaves * test_size_);
     }
     std::size_t leaves() const { return test_.size() / test_size_; }
+    std::size_t estimate_size() const { return estimate_size_; }
+    std::size_t test_size() const { return test_size_; }
 
     Quanta* estimate(std::uint32_t leaf) { return &estimate_[leaf * estimate_size_]; }
     Quanta* test(std::uint32_t leaf) { return &test_[leaf * test_size_]; }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "base/word_lanes.h"
 #include "bins/bin_settings.h"
 #include "bins/outline.h"
 #include "bins/record.h"
@@ -24,9 +25,10 @@ struct TreeNode {
 
 /// How a leaf turns fixed-point coordinates into its own of [-1, 1].
 template <int D>
-struct LeafFrame {
+struct alignas(32) LeafFrame {
     std::array<std::uint32_t, D> low{};
     std::array<float, D> half{}, inverse_half{};
+    std::array<float, D> padding{};  // whole rows (base/rows.h)
 
     float coordinate(std::uint32_t x, std::size_t axis) const {
         return (static_cast<float>(x - low[axis]) - half[axis]) * inverse_half[axis];
@@ -72,6 +74,22 @@ class BinTree {
         TreeNode node = nodes_[chart];
         while (!node.is_leaf()) node = nodes_[node.low_child() + (point[node.axis()] < node.split ? 0u : 1u)];
         return node.leaf();
+    }
+    /// The same in lanes; charts must be valid in all of them.
+    WordLanes locate(WordLanes chart, const std::array<WordLanes, D>& point) const {
+        const std::uint32_t* const words = &nodes_[0].split;
+        WordLanes node = chart, word = gather<2>(words + 1, node);
+        for (;;) {
+            const LaneMask is_leaf = has_top_bit(word);
+            if (!any_of(!is_leaf)) return word & WordLanes(~BREWSTER_NODE_LEAF);
+            const WordLanes axis = (word >> BREWSTER_NODE_AXIS_SHIFT) & WordLanes(D - 1u);
+            WordLanes coordinate = point[0];
+            for (std::uint32_t a = 1; a < D; ++a) coordinate = select(equal(axis, WordLanes(a)), point[a], coordinate);
+            const LaneMask low = below(coordinate, gather<2>(words, node));
+            const WordLanes child = (word & WordLanes(BREWSTER_NODE_INDEX)) + select(low, WordLanes(0u), WordLanes(1u));
+            node = select(is_leaf, node, child);
+            word = select(is_leaf, word, gather<2>(words + 1, node));
+        }
     }
     const LeafFrame<D>& frame(std::uint32_t leaf) const { return frames_[leaf]; }
 

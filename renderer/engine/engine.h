@@ -20,7 +20,8 @@ struct EngineSettings {
     bool lowest_priority = false;  ///< beside a window: workers yield to it
     double snapshot_seconds = 0;   ///< > 0: publish at least this often; otherwise only the first batches and the end
     BinSettings bins;
-    std::optional<KernelChoice> kernel;  ///< none: the smallest that is exact for the scene
+    std::size_t window = default_window;  ///< photons that a worker moves at once; 0: one by one, slowly (make_tracer)
+    std::optional<KernelChoice> kernel;   ///< none: the smallest that is exact for the scene
 };
 
 /// When to stop; the first that holds. All empty: never.

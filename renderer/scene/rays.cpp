@@ -7,9 +7,11 @@
 #include "base/check.h"
 #include "scene/albedo.h"
 #include "scene/exact_hit.h"
+#include "scene/landing.h"
 #include "scene/passed_by.h"
 #include "scene/ray_tree.h"
 #include "scene/surfaces.h"
+#include "scene/vectors.h"
 
 namespace brewster {
 namespace {
@@ -32,17 +34,36 @@ Stand stand_on(const Scene& scene, const Triangle& triangle) {
     return {scene.facet_normal(triangle), sum / 3.0f, chart.size(), inset};
 }
 
+TriangleShape<float> shape_of(const LandingTriangle& triangle) {
+    return {float_vector(triangle.corner), float_vector(triangle.edge1), float_vector(triangle.edge2),
+            float_vector(triangle.margin)};
+}
+
+ChartShape<float> shape_of(const LandingChart& chart) {
+    return {float_vector(chart.origin), float_vector(chart.axis_u), float_vector(chart.axis_v), chart.size_u,
+            chart.size_v};
+}
+
 }  // namespace
 
 struct Rays::Impl {
-    explicit Impl(const Scene& whole) : scene(whole), passed_by(whole), tree(whole, passed_by) {}
+    explicit Impl(const Scene& whole) : scene(whole), table(whole), passed_by(whole), tree(whole, passed_by) {}
 
-    // From the first answer to the hit; where that is nothing or a back, by a closer look.
-    Hit finished(const Ray& ray, const TriangleHit& first) const {
-        const Hit hit = hit_on(ray, first);
-        if (hit.chart != no_chart || hit.hole) return hit;
-        const Hit closer = hit_on(ray, closer_look(ray, first));
-        return closer.chart != no_chart ? closer : hit;
+    // The first answer, or, where that is nothing or a back, that of a closer look.
+    TriangleHit settled(const Ray& ray, const TriangleHit& first) const {
+        if (first.met() && (chart_of(ray, first) != no_chart || is_met_hole(ray, first))) return first;
+        const TriangleHit closer = closer_look(ray, first);
+        return closer.met() && chart_of(ray, closer) != no_chart ? closer : first;
+    }
+
+    std::uint32_t chart_of(const Ray& ray, const TriangleHit& hit) const {
+        const LandingTriangle& triangle = table.triangles[hit.triangle];
+        return triangle.chart(is_met_in_front(float_vector(triangle.normal), float_vector(ray.direction)));
+    }
+
+    bool is_met_hole(const Ray& ray, const TriangleHit& hit) const {
+        return ray.meets_holes && table.triangles[hit.triangle].cut_out != 0 &&
+               is_hole(scene, hit.triangle, hit.b1, hit.b2);
     }
 
     // Single precision cannot decide for a ray that starts within rounding of its plane close to a wall's foot, that
@@ -86,38 +107,47 @@ struct Rays::Impl {
 
     Hit hit_on(const Ray& ray, const TriangleHit& raw) const {
         if (!raw.met()) return {};
-        const Triangle& triangle = scene.triangles[raw.triangle];
-        const Chart& front = scene.charts[triangle.front_chart];
+        const LandingTriangle& triangle = table.triangles[raw.triangle];
+        const Vector<float> normal = float_vector(triangle.normal);
+        const Barycentric<float> at{raw.b1, raw.b2};
         Hit hit;
         hit.triangle = raw.triangle;
         hit.distance = raw.distance;
-        hit.position = scene.point_inside(triangle, raw.b1, raw.b2);
+        const Vector<float> position = point_inside(shape_of(triangle), at);
+        hit.position = glm_vector(position);
         hit.b1 = raw.b1;
         hit.b2 = raw.b2;
-        const glm::vec3 normal = front.curved ? scene.facet_normal(triangle) : front.normal;
-        const bool from_front = glm::dot(normal, ray.direction) < 0.0f;
-        hit.chart = from_front ? triangle.front_chart : triangle.back_chart;
-        hit.normal = from_front ? normal : -normal;
-        hit.hole = ray.meets_holes && is_hole(scene, raw.triangle, raw.b1, raw.b2);
-        if (hit.chart == no_chart) {
-            hit.shading_normal = hit.normal;
-            return hit;
+        const bool from_front = is_met_in_front(normal, float_vector(ray.direction));
+        hit.chart = triangle.chart(from_front);
+        hit.normal = glm_vector(from_front ? normal : -normal);
+        hit.hole = is_met_hole(ray, raw);
+        hit.shading_normal = hit.normal;
+        if (hit.chart == no_chart) return hit;
+        if (triangle.smooth) {
+            const auto& corners = table.normals[raw.triangle].at;
+            const Vector<float> shading = interpolated_normal(
+                {float_vector(corners[0]), float_vector(corners[1]), float_vector(corners[2])}, normal, at);
+            hit.shading_normal = glm_vector(from_front ? shading : -shading);
         }
-        const glm::vec3 shading = scene.shading_normal(triangle, normal, raw.b1, raw.b2);
-        hit.shading_normal = from_front ? shading : -shading;
-        const glm::vec2 uv = scene.charts[hit.chart].unit_coordinates(hit.position);
-        hit.u = chart_fixed_point(uv.x);
-        hit.v = chart_fixed_point(uv.y);
+        const UnitCoordinates<float> uv = unit_coordinates(shape_of(table.charts[hit.chart]), position);
+        hit.u = fixed_coordinate(uv.u);
+        hit.v = fixed_coordinate(uv.v);
         return hit;
     }
 
     const Scene& scene;
+    const LandingTable table;
     const PassedBy passed_by;
     const RayTree tree;  // refers to passed_by
 };
 
 Rays::Rays(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 Rays::~Rays() = default;
+
+void Rays::meet(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+    impl_->tree.trace(rays, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = impl_->settled(rays[i], hits[i]);
+}
 
 void Rays::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
     BREWSTER_CHECK(rays.size() == hits.size(),
@@ -126,9 +156,13 @@ void Rays::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {
     TriangleHit raw[at_once];
     for (std::size_t first = 0; first < rays.size(); first += at_once) {
         const std::size_t count = std::min(at_once, rays.size() - first);
-        impl_->tree.trace(rays.subspan(first, count), {raw, count});
-        for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->finished(rays[first + i], raw[i]);
+        meet(rays.subspan(first, count), {raw, count});
+        for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->hit_on(rays[first + i], raw[i]);
     }
+}
+
+const LandingTable& Rays::landing_table() const {
+    return impl_->table;
 }
 
 }  // namespace brewster

@@ -5,8 +5,11 @@
 #include <span>
 
 #include "scene/scene.h"
+#include "scene/triangle_hit.h"
 
 namespace brewster {
+
+struct LandingTable;
 
 /// Nothing in the plane of the triangle that a ray leaves can be hit. Of a curved patch only the triangle itself is
 /// passed by, so that a concave one sees itself, and triangles that share a corner with it where they would be met from
@@ -44,6 +47,12 @@ class Rays {
     Rays& operator=(const Rays&) = delete;
 
     void intersect(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+    /// The same in parts, for whoever lands rays in lanes: the triangles that rays meet first (none: they left the scene),
+    /// and what a landing is worked out from (landing.h). Where `hits` lies on a hole or on a back that absorbs, the
+    /// caller sees.
+    void meet(std::span<const Ray> rays, std::span<TriangleHit> hits) const;
+    const LandingTable& landing_table() const;
 
   private:
     struct Impl;

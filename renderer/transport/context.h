@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "bins/tree.h"
+#include "scene/filter_axis.h"
 #include "scene/prepared_material.h"
 #include "scene/rays.h"
 #include "scene/scene.h"
+#include "scene/vectors.h"
 #include "transport/emission.h"
 #include "transport/gloss_charts.h"
 #include "transport/ledger.h"
@@ -62,5 +64,19 @@ struct TransportContext {
     std::uint64_t seed = 1;
     bool coloured = false;  ///< some base has another albedo from place to place
 };
+
+/// Whether light that meets a side of a triangle comes from within a closed transparent body.
+inline bool is_inside(const TransportContext& context, std::uint32_t triangle, std::uint32_t chart) {
+    const PreparedMaterial& material = context.materials[context.scene.charts[chart].material];
+    return material.base == Base::transparent && !material.thin &&
+           chart == context.scene.triangles[triangle].back_chart;
+}
+
+/// filter_axis of the chart of a filter sheet, zero for all others.
+inline Vector<float> filter_axis_of(const TransportContext& context, std::uint32_t chart) {
+    const PreparedMaterial& material = context.materials[context.scene.charts[chart].material];
+    if (material.filter == FilterKind::none) return {};
+    return float_vector(coordinates_of(filter_axis(material, context.scene.charts[chart])));
+}
 
 }  // namespace brewster

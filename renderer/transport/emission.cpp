@@ -35,6 +35,23 @@ float PhotonEmission::sobol(std::uint64_t photon, unsigned dimension) const {
     return unit_float(sobol_word(photon, dimension));
 }
 
+FloatLanes PhotonEmission::sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const {
+    if (any_of(!equal(photon_high >> 3, WordLanes(0u)))) {  // another round
+        std::array<std::uint32_t, lane_count> low, high;
+        std::array<float, lane_count> numbers;
+        store(photon_low, low.data());
+        store(photon_high, high.data());
+        for (std::size_t i = 0; i < lane_count; ++i)
+            numbers[i] = sobol(std::uint64_t{high[i]} << 32 | low[i], dimension);
+        return load<FloatLanes>(numbers.data());
+    }
+    static_assert(replica_count == 8);
+    const WordLanes index = (photon_low >> 3) | (photon_high << 29);
+    const WordLanes scramble =
+        gather<1>(scrambles_[0].data() + dimension, (photon_low & WordLanes(7u)) * WordLanes(sobol_dimensions));
+    return unit_float(sobol_owen(index, dimension, scramble));
+}
+
 EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
     const std::uint64_t choice = sobol_word(photon, 0);
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);

@@ -35,6 +35,7 @@ class PhotonEmission {
 
     /// This photon's number in one dimension of its sequence, below sobol_dimensions; in [0, 1).
     float sobol(std::uint64_t photon, unsigned dimension) const;
+    FloatLanes sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;  ///< of eight photons
 
   private:
     std::uint32_t sobol_word(std::uint64_t photon, unsigned dimension) const;

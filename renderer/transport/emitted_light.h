@@ -1,6 +1,7 @@
 #pragma once
 #include "optics/axis_across.h"
 #include "scene/scene.h"
+#include "scene/vectors.h"
 #include "transport/emission.h"
 #include "transport/path.h"
 
@@ -9,16 +10,16 @@ namespace brewster {
 /// The light of a photon as it leaves its lamp. Its weight has a band mean of 1, so with one band it is 1; polarized
 /// lamps have their frame along their node's axes (lamp.h). The unpolarized world forgets the lamp's state, too.
 template <int components, int bands>
-PhotonLight<components, bands> emitted_light(const Scene& scene, const EmittedPhoton& emitted) {
+PhotonLight<float, components, bands> emitted_light(const Scene& scene, const EmittedPhoton& emitted) {
     const Lamp& lamp = scene.lamps[emitted.lamp];
     const Vector<float> direction = float_vector(emitted.ray.direction);
-    PhotonLight<components, bands> light;
+    PhotonLight<float, components, bands> light;
     for (int band = 0; band < bands; ++band) {
         const auto b = static_cast<std::size_t>(band);
         const float weight = bands == 1 ? 1.0f : emitted.weight[band];
         light.polarized[b] = stokes_of<components>(weight, weight * lamp.polarization.x, weight * lamp.polarization.y,
                                                    weight * lamp.polarization.z);
-        if constexpr (PhotonLight<components, bands>::two_worlds) light.unpolarized[b] = weight;
+        if constexpr (components > 1) light.unpolarized[b] = weight;
     }
     if (lamp.polarization == glm::vec3(0.0f)) {
         light.axis = axis_across(direction, direction);  // any will do

@@ -25,6 +25,10 @@ class PhotonTracer {
     virtual void trace(const TransportContext& context, std::uint64_t begin, std::uint64_t end, WorkerSums& sums) = 0;
 };
 
-std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice);
+inline constexpr std::size_t default_window = 2048;  ///< photons on their way at once; flat from 1024 up
+
+/// `window`: how many photons are on their way at once, eight lanes at a time; 0: one after the other, by the scalar
+/// engine that is the oracle of the others. The same tallies for all.
+std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice, std::size_t window = default_window);
 
 }  // namespace brewster

@@ -1,0 +1,86 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "base/fixed_point.h"
+#include "base/word_lanes.h"
+
+/// Rows of floats in memory against lanes in registers: a row belongs to one lane. Moving eight rows of eight floats at a
+/// time costs a third of gathering them column by column.
+namespace brewster {
+
+inline constexpr std::size_t row_size = lane_count;
+
+/// Eight floats, or words in their place.
+struct alignas(32) Row {
+    std::array<float, row_size> x{};
+};
+
+/// Eight columns of lanes: lane i of column j is float j of the row that starts at `row(i)`.
+using Columns = std::array<FloatLanes, row_size>;
+
+template <class RowOfLane>
+Columns load_columns(const RowOfLane& row) {
+    __m256 r[8];
+    for (int lane = 0; lane < lane_count; ++lane) r[lane] = _mm256_loadu_ps(row(lane));
+    lanes_detail::transpose(r);
+    Columns columns;
+    for (std::size_t j = 0; j < row_size; ++j) columns[j] = FloatLanes(r[j]);
+    return columns;
+}
+
+/// The same backwards; rows are written in the order of their lanes, so that a later one may overwrite an earlier.
+template <class RowOfLane>
+void store_columns(const Columns& columns, const RowOfLane& row) {
+    __m256 r[8];
+    for (std::size_t j = 0; j < row_size; ++j) r[j] = static_cast<__m256>(columns[j]);
+    lanes_detail::transpose(r);
+    for (int lane = 0; lane < lane_count; ++lane) _mm256_storeu_ps(row(lane), r[lane]);
+}
+
+/// to_quanta of four weights.
+inline __m256i quanta_of(__m128 weights) {
+    const __m256d magic = _mm256_set1_pd(rounding_magic);
+    const __m256d sum = _mm256_fmadd_pd(_mm256_cvtps_pd(weights), _mm256_set1_pd(quanta_per_weight), magic);
+    return _mm256_sub_epi64(_mm256_castpd_si256(sum), _mm256_castpd_si256(magic));
+}
+
+/// sums[i] += to_quanta(weights[i]).
+[[gnu::always_inline]] inline void add_quanta(Quanta* sums, const float* weights, std::size_t count) {
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        auto* const at = reinterpret_cast<__m256i*>(sums + i);
+        _mm256_storeu_si256(at, _mm256_add_epi64(_mm256_loadu_si256(at), quanta_of(_mm_loadu_ps(weights + i))));
+    }
+    for (; i < count; ++i) sums[i] += to_quanta(weights[i]);
+}
+
+/// The sum over the lanes of `mask` of to_quanta(weight), four partial sums.
+struct QuantaLanes {
+    __m256i sums = _mm256_setzero_si256();
+
+    void add(const LaneMask& mask, FloatLanes weights) { accumulate<true>(mask, weights); }
+    void subtract(const LaneMask& mask, FloatLanes weights) { accumulate<false>(mask, weights); }
+    Quanta total() const {
+        alignas(32) Quanta part[4];
+        _mm256_store_si256(reinterpret_cast<__m256i*>(part), sums);
+        return part[0] + part[1] + part[2] + part[3];
+    }
+
+  private:
+    template <bool add>
+    void accumulate(const LaneMask& mask, FloatLanes weights) {
+        const __m256 kept = static_cast<__m256>(select(mask, weights, FloatLanes(0.0f)));
+        const __m256i both =
+            _mm256_add_epi64(quanta_of(_mm256_castps256_ps128(kept)), quanta_of(_mm256_extractf128_ps(kept, 1)));
+        sums = add ? _mm256_add_epi64(sums, both) : _mm256_sub_epi64(sums, both);
+    }
+};
+
+/// Asks for the memory of `bytes` behind an address.
+inline void prefetch(const void* from, std::size_t bytes) {
+    const char* const at = static_cast<const char*>(from);
+    for (std::size_t i = 0; i < bytes; i += 64) _mm_prefetch(at + i, _MM_HINT_T0);
+}
+
+}  // namespace brewster

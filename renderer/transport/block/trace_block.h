@@ -1,0 +1,229 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bins/file_event.h"
+#include "scene/albedo.h"
+#include "transport/block/groups.h"
+#include "transport/block/land.h"
+#include "transport/block/pending_imprints.h"
+#include "transport/block/window.h"
+#include "transport/emitted_light.h"
+#include "transport/kernel.h"
+
+/// Transport of many photons at a time: a window of slots goes from surface to surface, and is refilled with new photons
+/// where others end. Each round all rays are asked for at once, the photons sorted by the material they meet, and moved
+/// on eight at a time. The same formulas as the scalar engine, and the same bits.
+namespace brewster::transport {
+
+template <int components, int bands, bool gloss>
+class BlockTracer : public PhotonTracer {
+  public:
+    explicit BlockTracer(std::size_t slots) : slots_(slots), now_(slots), next_(slots), hits_(slots), hole_(slots) {}
+
+    void trace(const TransportContext& context, std::uint64_t begin, std::uint64_t end, WorkerSums& sums) override {
+        if (!groups_) {
+            groups_.emplace(context);
+            for (Group& group : groups_->groups) group.slots.reserve(slots_);
+        }
+        for (std::uint64_t photon = begin;;) {
+            for (; photon < end && now_.count < slots_; ++photon) emit(context, photon, sums);
+            if (now_.count == 0) break;
+            meet(context, sums);
+            for (Group& group : groups_->groups) {
+                for (std::size_t first = 0; first < group.slots.size(); first += lane_count)
+                    move_on(context, group, first, sums);
+                group.slots.clear();
+            }
+            pass_holes(context);
+            entry_.flush(sums.entry);
+            if constexpr (gloss) gloss_.flush(sums.gloss);
+            books_.close(sums.ledger);
+            std::swap(now_, next_);
+            next_.count = 0;
+        }
+    }
+
+  private:
+    using Slots = Window<components, bands>;
+    using Batched = Batch<components, bands>;
+    static constexpr int worlds = components > 1 ? 2 : 1;
+    static constexpr int gloss_fields = PhotonLight<float, components, bands>::fields;
+
+    void emit(const TransportContext& context, std::uint64_t photon, WorkerSums& sums) {
+        const EmittedPhoton emitted = context.emission.sample(photon);
+        const auto light = emitted_light<components, bands>(context.scene, emitted);
+        append(now_, emitted, light, photon);
+        ++sums.counts.photons;
+        emitted_.take(&Ledger::emitted, true, light);
+    }
+
+    // Finds what each photon meets and sorts the slots by it; those that end here are booked.
+    void meet(const TransportContext& context, WorkerSums& sums) {
+        emitted_.close(sums.ledger);
+        context.rays.meet({now_.rays.data(), now_.count}, {hits_.data(), now_.count});
+        sums.counts.rays += now_.count;
+        const LandingTable& table = context.rays.landing_table();
+        escaped_.clear();
+        absorbed_.clear();
+        behind_holes_.clear();
+        for (std::uint32_t slot = 0; slot < now_.count; ++slot) {
+            const TriangleHit& hit = hits_[slot];
+            if (!hit.met()) {
+                escaped_.push_back(slot);
+                continue;
+            }
+            const LandingTriangle& triangle = table.triangles[hit.triangle];
+            const std::uint32_t chart =
+                triangle.chart(is_met_in_front(float_vector(triangle.normal), float_vector(now_.rays[slot].direction)));
+            hole_[slot] = triangle.cut_out && is_hole(context.scene, hit.triangle, hit.b1, hit.b2);
+            if (chart != no_chart)
+                groups_->groups[groups_->of_chart[chart]].slots.push_back(slot);
+            else
+                (hole_[slot] ? behind_holes_ : absorbed_).push_back(slot);
+        }
+        sums.counts.bounces += absorbed_.size();
+        end_all(escaped_, &Ledger::escaped, sums);
+        end_all(absorbed_, &Ledger::absorbed, sums);
+    }
+
+    void end_all(const std::vector<std::uint32_t>& slots, Books<FloatLanes>::Account account, WorkerSums& sums) {
+        for (std::size_t first = 0; first < slots.size(); first += lane_count) {
+            const Batched batch = load_batch(now_, &slots[first], lanes_from(slots, first));
+            books_.take(account, batch.present, batch.flight.light);
+            sums.counts.useful += count_of(batch.present && batch.useful);
+        }
+    }
+
+    static int lanes_from(const std::vector<std::uint32_t>& slots, std::size_t first) {
+        return static_cast<int>(std::min<std::size_t>(lane_count, slots.size() - first));
+    }
+
+    /// One batch of a group: arrival, deposits, the way on.
+    void move_on(const TransportContext& context, const Group& group, std::size_t first, WorkerSums& sums) {
+        Batched batch = load_batch(now_, &group.slots[first], lanes_from(group.slots, first));
+        auto& flight = batch.flight;
+        std::array<TriangleHit, lane_count> hits;
+        std::array<std::uint32_t, lane_count> holes;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            hits[lane] = hits_[batch.slots[lane]];
+            holes[lane] = hole_[batch.slots[lane]];
+        }
+        Meeting<FloatLanes> at = land(context.rays.landing_table(), hits, flight.direction);
+        at.material = group.material;
+        at.inside = group.inside;
+        at.filter_axis = {FloatLanes(group.filter_axis.x), FloatLanes(group.filter_axis.y),
+                          FloatLanes(group.filter_axis.z)};
+
+        // Light passes holes, and is filed as if the surface went on there.
+        const LaneMask hole = batch.present && !equal(load_words(holes.data()), WordLanes(0u));
+        flight.alive = batch.present && !hole;
+        sums.counts.bounces += count_of(flight.alive);
+        cut_turned_away(at, flight, books_);
+        bool filed = false;
+        if (at.material->diffuse()) {
+            deposit_entry(context, at, flight, LaneMask(flight.alive || hole), sums);
+            filed = true;
+        }
+        if constexpr (gloss) {
+            if (group.gloss) {
+                deposit_gloss(context, at, flight, LaneMask(flight.alive || hole), group.coarse, sums);
+                filed = true;
+            }
+        }
+        if (filed) batch.useful = batch.useful || flight.alive;
+        const bool any_hole = any_of(hole);
+        const Flight<FloatLanes, components, bands> passing = flight;
+        go_on(context, at, flight, books_, sums.counts);
+        if (any_hole) {
+            flight.direction = select(hole, passing.direction, flight.direction);
+            flight.light = select(hole, passing.light, flight.light);
+            flight.alive = flight.alive || hole;
+            flight.direct = hole && passing.direct;
+        }
+        sums.counts.useful += count_of(batch.present && !flight.alive && batch.useful);
+        append(next_, batch, at.position, at.triangle);
+    }
+
+    void deposit_entry(const TransportContext& context, const Meeting<FloatLanes>& at,
+                       const Flight<FloatLanes, components, bands>& flight, const LaneMask& present, WorkerSums& sums) {
+        const EnteringLight<FloatLanes, bands> entering =
+            entering_light<FloatLanes, components, bands>(at, flight.direction, flight.light);
+        const BinTree<2>& tree = context.bins.entry;
+        const EntryFields& fields = context.bins.entry_fields;
+        const std::array<WordLanes, 2> point = {at.u, at.v};
+        const WordLanes leaf = tree.locate(at.chart, point);
+        typename PendingImprints<2, worlds, bands>::Lanes imprint;
+        make_imprint(entering.weights.data(), worlds, bands, leaf_coordinates<2>(tree, leaf, point), imprint);
+        typename PendingImprints<2, worlds, bands>::Places places;
+        std::array<std::uint32_t, lane_count> photons;
+        store(flight.key.photon_low, photons.data());
+        const unsigned direct = bits_of(flight.direct);
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const int light = direct >> lane & 1u ? 0 : 1;
+            places[lane] = {fields.worlds(light), fields.field(light, 0), light == 0 ? 0 : fields.direct_worlds - 1,
+                            photons[lane] % replica_count};
+        }
+        entry_.add(sums.entry, LaneMask(present && entering.filed), leaf, places, imprint);
+    }
+
+    void deposit_gloss(const TransportContext& context, const Meeting<FloatLanes>& at,
+                       const Flight<FloatLanes, components, bands>& flight, const LaneMask& present, bool coarse,
+                       WorkerSums& sums) {
+        const BinTree<4>& tree = context.bins.gloss;
+        const WordLanes chart = gather<1>(context.bins.gloss_charts.index.data(), at.chart);
+        const LaneMask takes_mirrors = coarse ? first_lanes(lane_count) : first_lanes(0);
+        const GlossFrame<FloatLanes> frame = gloss_frame(at, flight.direction);
+        typename PendingImprints<4, gloss_fields, bands>::Places places;
+        std::array<std::uint32_t, lane_count> photons;
+        store(flight.key.photon_low, photons.data());
+        for (std::size_t lane = 0; lane < lane_count; ++lane)
+            places[lane] = {gloss_fields, 0, 0, photons[lane] % replica_count};
+        for (std::uint32_t k = 0; k < deposits_of(*at.material); ++k) {
+            const auto sent = gloss_light<FloatLanes, components, bands>(context, at, frame, flight.direction,
+                                                                         flight.light, flight.key, takes_mirrors, k);
+            const LaneMask filed = present && sent.filed;
+            if (!any_of(filed)) continue;
+            const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};
+            const WordLanes leaf = tree.locate(chart, point);
+            typename PendingImprints<4, gloss_fields, bands>::Lanes imprint;
+            make_imprint(sent.weights.data(), gloss_fields, bands, leaf_coordinates<4>(tree, leaf, point), imprint);
+            gloss_.add(sums.gloss, filed, leaf, places, imprint);
+        }
+    }
+
+    // Holes in single-sided surfaces that are met from behind file nothing.
+    void pass_holes(const TransportContext& context) {
+        for (const std::uint32_t slot : behind_holes_) {
+            Hit hit;
+            context.rays.intersect({&now_.rays[slot], 1}, {&hit, 1});
+            const std::size_t to = next_.count++;
+            next_.rays[to] = {hit.position, now_.rays[slot].direction, hit.triangle, true};
+            next_.states[to] = now_.states[slot];
+            float& bounce = next_.states[to].x[Slots::bounce];
+            bounce = floats_of(words_of(bounce) + 1);
+            next_.lights[to] = now_.lights[slot];
+        }
+    }
+
+    std::size_t slots_;
+    Slots now_, next_;
+    std::vector<TriangleHit> hits_;
+    std::vector<std::uint32_t> hole_;  // per slot: 1 where it meets a hole
+    std::vector<std::uint32_t> escaped_, absorbed_, behind_holes_;
+    std::optional<Groups> groups_;
+    Books<FloatLanes> books_;
+    Books<float> emitted_;
+    PendingImprints<2, worlds, bands> entry_;
+    PendingImprints<4, gloss_fields, bands> gloss_;
+};
+
+template <int components, int bands, bool gloss>
+std::unique_ptr<PhotonTracer> block_tracer(std::size_t slots) {
+    return std::make_unique<BlockTracer<components, bands, gloss>>(slots);
+}
+
+}  // namespace brewster::transport
