@@ -101,7 +101,7 @@ struct Engine::Impl {
     const std::shared_ptr<const Scene> scene;
     const EngineSettings settings;
     const Rays rays;
-    const PhotonEmission emission;
+    PhotonEmission emission;
     const std::vector<PreparedMaterial> materials;
     const Needs needs;
     const KernelChoice kernel;
@@ -154,7 +154,7 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
                     "add an emissive material or a light of KHR_lights_punctual to the file");
     }
     const unsigned count = settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
-    sums.fit(bins);
+    sums.fit(bins, emission.guide());
     count_leaves();
     handed_over.assign(count, 0);
     photons_by_thread.assign(count, 0);
@@ -193,6 +193,7 @@ void Engine::Impl::work(unsigned index) {
             if (own.counts.photons > 0) {
                 sums.entry.take(own.entry);
                 sums.gloss.take(own.gloss);
+                sums.guide.take(own.guide);
                 sums.ledger.add(own.ledger);
                 sums.counts.add(own.counts);
                 own.ledger = {};
@@ -206,7 +207,7 @@ void Engine::Impl::work(unsigned index) {
             continue;
         }
         ++busy;
-        own.fit(bins);
+        own.fit(bins, emission.guide());
         lock.unlock();
         try {
             tracer->trace(context, begin, end, own);
@@ -308,7 +309,8 @@ void Engine::Impl::conduct() {
                 bins.gloss.absorb(sums.gloss);
                 bins.gloss.split_leaves(batch.end(), settings.bins, bins.entry.bytes());
             }
-            sums.fit(bins);
+            if (settings.guided_emission) emission.guide().learn(sums.guide);
+            sums.fit(bins, emission.guide());
             count_leaves();
             batch.next();
             if (!newest || settings.snapshot_seconds > 0 || rule.target_error) {

@@ -21,6 +21,7 @@ struct EngineSettings {
     double snapshot_seconds = 0;   ///< > 0: publish at least this often; otherwise only the first batches and the end
     BinSettings bins;
     std::size_t window = default_window;  ///< photons that a worker moves at once; 0: one by one, slowly (make_tracer)
+    bool guided_emission = true;          ///< lamps learn where their photons are useful
     std::optional<KernelChoice> kernel;   ///< none: the smallest that is exact for the scene
 };
 

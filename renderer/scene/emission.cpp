@@ -36,8 +36,9 @@ LampSampler::LampSampler(const Scene& scene) : scene_(scene) {
     for (const Lamp& lamp : scene.lamps) {
         cumulative_.push_back(lamp.kind == LampKind::area ? cumulative_areas(scene, scene.charts[lamp.chart])
                                                           : std::vector<double>{});
-        suns_.push_back(lamp.kind == LampKind::sun ? sun_rectangle(scene.low, scene.high, lamp.direction)
-                                                   : SunRectangle{});
+        suns_.push_back(lamp.kind == LampKind::sun
+                            ? sun_rectangle(scene.low, scene.high, lamp.direction, lamp.angular_radius)
+                            : SunRectangle{});
     }
 }
 
@@ -59,8 +60,8 @@ Emission LampSampler::emit(std::uint32_t index, const std::array<float, 4>& x) c
         }
         case LampKind::sun: {
             const SunRectangle& sun = suns_[index];
-            return {sun.centre + (2.0f * x[0] - 1.0f) * sun.half_u + (2.0f * x[1] - 1.0f) * sun.half_v, lamp.direction,
-                    no_triangle};
+            return {sun.centre + (2.0f * x[0] - 1.0f) * sun.half_u + (2.0f * x[1] - 1.0f) * sun.half_v,
+                    sample_disc(lamp, x[2], x[3]), no_triangle};
         }
         case LampKind::point:
             return {lamp.position, sample_sphere(x[2], x[3]), no_triangle};
@@ -79,7 +80,7 @@ float LampSampler::pdf(std::uint32_t index, glm::vec3 direction) const {
             return pdf_cosine(chart.normal, direction) / static_cast<float>(chart.area);
         }
         case LampKind::sun:
-            return 1.0f / suns_[index].area;
+            return (lamp.angular_radius > 0 ? pdf_disc(lamp, direction) : 1.0f) / suns_[index].area;
         case LampKind::point:
             return pdf_sphere();
         case LampKind::spot:

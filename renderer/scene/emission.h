@@ -24,7 +24,8 @@ class LampSampler {
     /// spent.
     Emission emit(std::uint32_t lamp, const std::array<float, 4>& x) const;
 
-    /// Of photon starts per m2 of lamp or beam and per steradian (area), per m2 (sun), per steradian (point, spot).
+    /// Of photon starts per m2 of lamp or beam and per steradian (area, suns with a disc), per m2 (other suns), per
+    /// steradian (point, spot).
     /// An area lamp on a curved patch has no one density: there it is pdf_cosine about the facet over the chart's area.
     float pdf(std::uint32_t lamp, glm::vec3 direction) const;
 

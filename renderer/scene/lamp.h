@@ -8,8 +8,7 @@ namespace brewster {
 
 enum class LampKind { area, sun, point, spot };
 
-/// A source of light. Power is what the engine emits: for a sun, its irradiance times the projected bounds of the
-/// scene.
+/// A source of light. Power is what the engine emits: for a sun, its irradiance times its rectangle below.
 struct Lamp {
     LampKind kind = LampKind::area;
     std::string name;
@@ -40,8 +39,14 @@ struct SunRectangle {
     float area = 0;  ///< m2
 };
 
-/// `low`, `high`: the bounds of the scene; `direction`: unit, the way the light travels.
-SunRectangle sun_rectangle(glm::vec3 low, glm::vec3 high, glm::vec3 direction);
+/// `low`, `high`: the bounds of the scene; `direction`: unit, the way the light travels, or the middle of a disc of that
+/// angular radius (radians), from all of whose directions the rectangle covers the bounds.
+SunRectangle sun_rectangle(glm::vec3 low, glm::vec3 high, glm::vec3 direction, float angular_radius = 0);
+
+/// A way for light of a sun's disc to cross that rectangle, for two numbers in [0, 1): by what each direction carries
+/// through it, cos / (pi sin^2 radius). A sun without a disc has one direction.
+glm::vec3 sample_disc(const Lamp& sun, float x, float y);
+float pdf_disc(const Lamp& sun, glm::vec3 direction);
 
 /// Directions from two numbers in [0, 1), and their densities per steradian. Nothing here calls the C library's sine or
 /// cube root, so that a photon's bits depend on its numbers only.

@@ -37,7 +37,7 @@ Lamp read_lamp(const GltfLight& from, const std::string& name, const glm::dmat4&
 }
 
 glm::vec3 sun_power(const Scene& scene, const Lamp& sun) {
-    return sun_rectangle(scene.low, scene.high, sun.direction).area * sun.intensity;
+    return sun_rectangle(scene.low, scene.high, sun.direction, sun.angular_radius).area * sun.intensity;
 }
 
 void renew_area_lamps(Scene& scene) {

@@ -42,14 +42,16 @@ struct Bins {
 struct WorkerSums {
     explicit WorkerSums(const Bins& bins) : entry(bins.entry.layout()), gloss(bins.gloss.layout()) {}
 
-    /// Makes room for all leaves; a tally that holds sums keeps them.
-    void fit(const Bins& bins) {
+    /// Makes room for all leaves and cells; a tally that holds sums keeps them.
+    void fit(const Bins& bins, const EmissionGuide& emission) {
         entry.resize(bins.entry.leaf_count());
         gloss.resize(bins.gloss.leaf_count());
+        guide.resize(emission.cell_count());
     }
 
     Tally<2> entry;
     Tally<4> gloss;
+    GuideTally guide;
     Ledger ledger;
     TransportCounts counts;
 };

@@ -6,8 +6,16 @@
 #include "base/philox.h"
 
 namespace brewster {
+namespace {
 
-PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed) : sampler_(scene), seed_(seed) {
+float below_one(double x) {
+    return std::min(static_cast<float>(x), 0x1.fffffep-1f);
+}
+
+}  // namespace
+
+PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed)
+    : scene_(scene), sampler_(scene), guide_(scene.lamps.size()), seed_(seed) {
     for (const Lamp& lamp : scene.lamps) mean_power_ += static_cast<double>(lamp.mean_power());
     double sum = 0;
     for (const Lamp& lamp : scene.lamps) {
@@ -56,11 +64,18 @@ EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
     const std::uint64_t choice = sobol_word(photon, 0);
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
     const auto lamp = static_cast<std::uint32_t>(found - cumulative_.begin());
-    const Emission start =
-        sampler_.emit(lamp, {sobol(photon, 1), sobol(photon, 2), sobol(photon, 3), sobol(photon, 4)});
+    std::array<double, 4> numbers;
+    for (unsigned d = 0; d < 4; ++d) numbers[d] = 0x1p-32 * sobol_word(photon, d + 1);
+    // A sun is guided by where its photons start, any other lamp by where they go.
+    const std::size_t guided_number = scene_.lamps[lamp].kind == LampKind::sun ? 0 : 2;
+    const EmissionGuide::Start guided = guide_.warp(lamp, numbers[guided_number], numbers[guided_number + 1]);
+    const Emission start = sampler_.emit(
+        lamp, {below_one(numbers[0]), below_one(numbers[1]), below_one(numbers[2]), below_one(numbers[3])});
     EmittedPhoton emitted;
+    emitted.scale = guided.weight;
+    emitted.guide_cell = guided.cell;
     emitted.ray = {start.position, start.direction, start.leaving};
-    emitted.weight = weights_[lamp];
+    emitted.weight = guided.weight * weights_[lamp];
     emitted.lamp = lamp;
     return emitted;
 }

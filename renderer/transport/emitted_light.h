@@ -7,7 +7,7 @@
 
 namespace brewster {
 
-/// The light of a photon as it leaves its lamp. Its weight has a band mean of 1, so with one band it is 1; polarized
+/// The light of a photon as it leaves its lamp. With one band its weight is the scale that a guide gives it; polarized
 /// lamps have their frame along their node's axes (lamp.h). The unpolarized world forgets the lamp's state, too.
 template <int components, int bands>
 PhotonLight<float, components, bands> emitted_light(const Scene& scene, const EmittedPhoton& emitted) {
@@ -16,7 +16,7 @@ PhotonLight<float, components, bands> emitted_light(const Scene& scene, const Em
     PhotonLight<float, components, bands> light;
     for (int band = 0; band < bands; ++band) {
         const auto b = static_cast<std::size_t>(band);
-        const float weight = bands == 1 ? 1.0f : emitted.weight[band];
+        const float weight = bands == 1 ? emitted.scale : emitted.weight[band];
         light.polarized[b] = stokes_of<components>(weight, weight * lamp.polarization.x, weight * lamp.polarization.y,
                                                    weight * lamp.polarization.z);
         if constexpr (components > 1) light.unpolarized[b] = weight;

@@ -64,6 +64,42 @@ TEST(Engine, DigestDependsOnSeedAndCount) {
     EXPECT_EQ(std::unique(digests.begin(), digests.end()), digests.end());
 }
 
+// Two hundredths of the sun's beam come in by the window. After some ten batches most photons do, and carry the light
+// they did: emitted light per photon is the same within its spread (weights of up to 10 in a tenth of the photons: 1 %).
+TEST(Engine, GuidesTheSunThroughTheWindow) {
+    const auto scene = rooms::read("brewster-room.gltf");
+    const std::uint64_t count = slow ? 60000 : 200000;
+    std::array<double, 2> emitted{}, escaped{}, useful{};
+    for (const bool guided : {false, true}) {
+        EngineSettings settings = with_threads(guided ? 2 : 1);
+        settings.guided_emission = guided;
+        Engine engine(scene, settings);
+        engine.start(photons(count));
+        engine.wait();
+        const Ledger ledger = engine.ledger();
+        EXPECT_TRUE(ledger.balances());
+        emitted[guided] = to_weight(ledger.emitted[1][1]) / static_cast<double>(count);
+        escaped[guided] = to_weight(ledger.escaped[1][1]) / static_cast<double>(count);
+        useful[guided] = static_cast<double>(engine.progress().useful_photons) / static_cast<double>(count);
+    }
+    EXPECT_LT(useful[0], 0.05);
+    EXPECT_GT(useful[1], slow ? 0.3 : 0.6);
+    EXPECT_NEAR(emitted[1] / emitted[0], 1, 0.1);
+    EXPECT_NEAR(escaped[1] / escaped[0], 1, 0.1);
+}
+
+TEST(Engine, GuidedDigestDoesNotDependOnThreads) {
+    const auto scene = rooms::read("brewster-room.gltf");
+    std::string first;
+    for (const unsigned threads : {1u, 3u}) {
+        Engine engine(scene, with_threads(threads));
+        engine.start(photons(slow ? 30000 : 100000));
+        engine.wait();
+        if (threads == 1) first = engine.digest();
+        EXPECT_EQ(engine.digest(), first) << threads << " threads";
+    }
+}
+
 TEST(Engine, StopAndGoIsTheSameSolution) {
     const auto scene = rooms::read("cornell-box.gltf");
     Engine through(scene, with_threads(2));

@@ -184,6 +184,33 @@ TEST(Emission, SunRectanglesCoverTheBounds) {
     }
 }
 
+// Light of a disc crosses the rectangle evenly, from everywhere on the disc with its cosine, and covers the bounds from
+// every side of it; the power that crosses is the irradiance times the rectangle.
+TEST(Emission, OfASunWithADiscCoversTheSceneFromAllOfIt) {
+    const Scene scene = lit_floor(
+        {{"type", "directional"}, {"intensity", 7}, {"extensions", {{"BREWSTER_surface", {{"angularDiameter", 20}}}}}});
+    const Lamp& lamp = scene.lamps[0];
+    ASSERT_GT(lamp.angular_radius, 0);
+    const SunRectangle sun = sun_rectangle(scene.low, scene.high, lamp.direction, lamp.angular_radius);
+    EXPECT_GT(sun.area, 2 * std::cos(0.4));
+    EXPECT_NEAR(lamp.power.x, 7 * sun.area, 1e-4);
+    const LampSampler sampler(scene);
+    // The floor is hit with its share: cosine of the middle direction over that of the disc's mean, exactly E A cos.
+    double on_floor = 0;
+    const std::uint64_t n = 40000;
+    for (std::uint64_t i = 0; i < n; ++i) {
+        const Emission emission = sampler.emit(0, numbers(i));
+        EXPECT_GE(glm::dot(emission.direction, lamp.direction), std::cos(lamp.angular_radius) - 1e-6f);
+        EXPECT_NEAR(sampler.pdf(0, emission.direction) * sun.area, pdf_disc(lamp, emission.direction), 1e-3);
+        const glm::vec3 p = emission.position - (emission.position.z / emission.direction.z) * emission.direction;
+        on_floor += std::abs(p.x) < 1 && std::abs(p.y) < 0.5f;
+    }
+    // Irradiance of a disc wholly above the horizon is that of its middle: integral of L (n.d) = n . integral of L d.
+    const double share = on_floor / static_cast<double>(n),
+                 expected = 2 * std::cos(0.4) / static_cast<double>(sun.area);
+    EXPECT_NEAR(share, expected, 4 * std::sqrt(expected / static_cast<double>(n)));
+}
+
 // Densities integrate to 1: the mean of density x 4 pi over uniform directions; 1e6 of them, of a standard deviation
 // below 4 (spot: 1/share of the sphere), so 5 sigma are 0.02.
 TEST(Emission, DensitiesIntegrateToOne) {

@@ -17,7 +17,7 @@ struct Bench {
           context{scene, rays, emission, materials, bins, seed, !scene.textures.empty()},
           tracer(make_tracer(kernel)),
           sums(bins) {
-        sums.fit(bins);
+        sums.fit(bins, emission.guide());
     }
     static BinSettings one_cell() {
         BinSettings settings;

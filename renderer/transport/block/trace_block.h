@@ -58,6 +58,7 @@ class BlockTracer : public PhotonTracer {
         const auto light = emitted_light<components, bands>(context.scene, emitted);
         append(now_, emitted, light, photon);
         ++sums.counts.photons;
+        ++sums.guide.traced[emitted.guide_cell];
         emitted_.take(&Ledger::emitted, true, light);
     }
 
@@ -94,8 +95,17 @@ class BlockTracer : public PhotonTracer {
         for (std::size_t first = 0; first < slots.size(); first += lane_count) {
             const Batched batch = load_batch(now_, &slots[first], lanes_from(slots, first));
             books_.take(account, batch.present, batch.flight.light);
-            sums.counts.useful += count_of(batch.present && batch.useful);
+            count_useful(batch, LaneMask(batch.present && batch.useful), sums);
         }
+    }
+
+    static void count_useful(const Batched& batch, const LaneMask& ended, WorkerSums& sums) {
+        sums.counts.useful += count_of(ended);
+        std::array<std::uint32_t, lane_count> cells;
+        store(batch.guide_cell, cells.data());
+        const unsigned bits = bits_of(ended);
+        for (std::size_t lane = 0; lane < lane_count; ++lane)
+            if (bits >> lane & 1u) ++sums.guide.useful[cells[lane]];
     }
 
     static int lanes_from(const std::vector<std::uint32_t>& slots, std::size_t first) {
@@ -144,7 +154,7 @@ class BlockTracer : public PhotonTracer {
             flight.alive = flight.alive || hole;
             flight.direct = hole && passing.direct;
         }
-        sums.counts.useful += count_of(batch.present && !flight.alive && batch.useful);
+        count_useful(batch, LaneMask(batch.present && !flight.alive && batch.useful), sums);
         append(next_, batch, at.position, at.triangle);
     }
 

@@ -21,6 +21,7 @@ struct Window {
     /// Beside the light, as the columns of a row.
     enum : std::size_t { axis_x, axis_y, axis_z, reference, photon_low, photon_high, bounce, flags };
     static constexpr std::uint32_t direct_flag = 1, useful_flag = 2;
+    static constexpr int flag_bits = 2;  ///< above them stands the cell of the guide of emission
 
     /// One more slot than photons: lanes that are not kept are written where the next one goes.
     explicit Window(std::size_t slots) : rays(slots + 1), states(slots + 1), lights(slots + 1) {}
@@ -40,7 +41,8 @@ struct Batch {
     std::array<std::uint32_t, lane_count> slots;
     LaneMask present;
     Flight<FloatLanes, components, bands> flight;
-    LaneMask useful;  ///< something was filed
+    LaneMask useful;       ///< something was filed
+    WordLanes guide_cell;  ///< where the photon started
 };
 
 template <int components, int bands>
@@ -64,6 +66,7 @@ Batch<components, bands> load_batch(const Window<components, bands>& window, con
     flight.alive = batch.present;
     flight.direct = equal(flags & WordLanes(Slots::direct_flag), WordLanes(Slots::direct_flag));
     batch.useful = equal(flags & WordLanes(Slots::useful_flag), WordLanes(Slots::useful_flag));
+    batch.guide_cell = flags >> Slots::flag_bits;
 
     std::array<FloatLanes, Slots::light_rows * row_size> numbers;
     for (std::size_t row = 0; row < Slots::light_rows; ++row) {
@@ -96,7 +99,8 @@ void append(Window<components, bands>& window, const Batch<components, bands>& b
                   [&](int lane) { return reinterpret_cast<float*>(&window.rays[place_of(lane)]); });
     const WordLanes none(0u);
     const WordLanes flags = select(flight.direct, WordLanes(Slots::direct_flag), none) |
-                            select(batch.useful, WordLanes(Slots::useful_flag), none);
+                            select(batch.useful, WordLanes(Slots::useful_flag), none) |
+                            (batch.guide_cell << Slots::flag_bits);
     store_columns({flight.light.axis.x, flight.light.axis.y, flight.light.axis.z, flight.reference,
                    floats_of(flight.key.photon_low), floats_of(flight.key.photon_high),
                    floats_of(flight.key.bounce + WordLanes(1u)), floats_of(flags)},
@@ -130,7 +134,7 @@ void append(Window<components, bands>& window, const EmittedPhoton& emitted,
                floats_of(static_cast<std::uint32_t>(photon)),
                floats_of(static_cast<std::uint32_t>(photon >> 32)),
                floats_of(std::uint32_t{0}),
-               floats_of(Slots::direct_flag)};
+               floats_of(Slots::direct_flag | emitted.guide_cell << Slots::flag_bits)};
     float* number = window.lights[window.count][0].x.data();
     for (const auto& stokes : light.polarized)
         for (const float s : stokes.s) *number++ = s;

@@ -95,6 +95,7 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, Books<f
     flight.alive = flight.direct = true;
     bool useful = false;
     ++sums.counts.photons;
+    ++sums.guide.traced[emitted.guide_cell];
     books.take(&Ledger::emitted, true, flight.light);
 
     for (; flight.alive; ++flight.key.bounce) {
@@ -127,7 +128,10 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, Books<f
         ray.direction = glm_vector(flight.direction);
         ray.leaving = hit.triangle;
     }
-    if (useful) ++sums.counts.useful;
+    if (useful) {
+        ++sums.counts.useful;
+        ++sums.guide.useful[emitted.guide_cell];
+    }
 }
 
 template <int components, int bands, bool gloss>
