@@ -11,8 +11,8 @@ class Reference {
     Reference(const Scene& scene, const Camera& camera, int width, int height, bool polarized, std::uint64_t seed,
               unsigned threads);
 
-    /// So many more samples for each pixel, and a photon each where the light tracer has something to do. What comes
-    /// out depends on their sum alone.
+    /// So many more samples for each pixel, and photons where the light tracer has something to do: one a sample at
+    /// first, after 16 samples as many as the variances of both advise. What comes out depends on the samples' sum alone.
     void add_samples(std::uint64_t count);
 
     std::uint64_t samples() const { return camera_tracer_.samples(); }  ///< per pixel
@@ -22,10 +22,13 @@ class Reference {
     Image picture() const;
 
   private:
+    void trace(std::uint64_t samples, double photons_a_sample);
+
     const Surroundings surroundings_;
     CameraTracer camera_tracer_;
     LightTracer light_tracer_;
     unsigned threads_;
+    double photons_a_sample_ = 1;  // after the pilot
 };
 
 /// Mean of a Stokes component over all pixels, and its standard error from the variance channels.

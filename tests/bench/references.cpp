@@ -40,7 +40,8 @@ struct Job {
 /// What a picture is made of so far.
 struct Progress {
     Image picture;
-    double samples = 0, seconds = 0;
+    double samples = 0, photons = 0;  // a pixel
+    double seconds = 0;
     int passes = 0;
 };
 
@@ -67,16 +68,20 @@ double number(const Image& picture, const std::string& name) {
 
 std::optional<Progress> so_far(const Job& job) {
     if (!std::filesystem::exists(job.path())) return {};
-    Progress progress{read_exr(job.path()), 0, 0, 0};
+    Progress progress;
+    progress.picture = read_exr(job.path());
     progress.samples = number(progress.picture, "brewster.samples");
+    progress.photons = number(progress.picture, "brewster.photons");
     progress.seconds = number(progress.picture, "brewster.seconds");
     progress.passes = static_cast<int>(number(progress.picture, "brewster.passes"));
     return progress;
 }
 
-/// Adds to `sum` a picture of so many samples, as the mean of both.
-void average(Progress& sum, const Image& picture, double samples) {
-    const double total = sum.samples + samples, own = sum.samples / total, other = samples / total;
+/// Adds to `sum` another picture, as the mean of both by the number of their paths.
+void average(Progress& sum, const Progress& more) {
+    const Image& picture = more.picture;
+    const double total = sum.samples + sum.photons + more.samples + more.photons;
+    const double other = (more.samples + more.photons) / total, own = 1 - other;
     for (const std::string& name : picture.channel_names()) {
         const bool variance = is_variance_channel(name);
         std::vector<float>& mean = sum.picture.channel(name);
@@ -85,7 +90,8 @@ void average(Progress& sum, const Image& picture, double samples) {
             mean[i] = static_cast<float>(static_cast<double>(mean[i]) * (variance ? own * own : own) +
                                          static_cast<double>(added[i]) * (variance ? other * other : other));
     }
-    sum.samples = total;
+    sum.samples += more.samples;
+    sum.photons += more.photons;
 }
 
 void save(const Job& job, Progress& progress) {
@@ -93,6 +99,7 @@ void save(const Job& job, Progress& progress) {
                                    {"brewster.camera", job.camera},
                                    {"brewster.polarization", job.polarized ? "on" : "off"},
                                    {"brewster.samples", std::to_string(static_cast<long>(progress.samples))},
+                                   {"brewster.photons", std::to_string(progress.photons)},
                                    {"brewster.seconds", std::to_string(progress.seconds)},
                                    {"brewster.passes", std::to_string(progress.passes)}};
     const std::string unfinished = job.path() + ".part";
@@ -110,14 +117,15 @@ void pass(const Job& job, const Scene& scene, double seconds, unsigned threads, 
     reference.add_samples(2);
     while (elapsed() < seconds) {
         const double rate = static_cast<double>(reference.samples()) / elapsed();
-        reference.add_samples(static_cast<std::uint64_t>(std::max(rate * (seconds - elapsed()) / 3, 1.0)));
+        const double passage = std::min(seconds - elapsed(), 0.5);  // short: the rate changes after the pilot
+        reference.add_samples(static_cast<std::uint64_t>(std::max(rate * passage, 1.0)));
     }
-    const Image picture = reference.picture();
-    const auto samples = static_cast<double>(reference.samples());
+    const Progress found{reference.picture(), static_cast<double>(reference.samples()),
+                         static_cast<double>(reference.photons()) / (job.width * job.height), 0, 0};
     if (progress)
-        average(*progress, picture, samples);
+        average(*progress, found);
     else
-        progress = Progress{picture, samples, 0, 0};
+        progress = found;
     progress->seconds += elapsed();
     progress->passes = seed;
     save(job, *progress);
@@ -159,8 +167,8 @@ int main(int count, char** arguments) try {
             names.push_back(word);
     }
     std::filesystem::create_directories(root + "/tests/images/reference");
-    std::printf("| picture | seconds | samples a pixel | mean S0 (green) | pixels' relative error |\n");
-    std::printf("|---|---|---|---|---|\n");
+    std::printf("| picture | seconds | samples | photons a pixel | mean S0 (green) | pixels' relative error |\n");
+    std::printf("|---|---|---|---|---|---|\n");
     for (const Job& job : all_jobs()) {
         if (!wanted(job, names)) continue;
         const Scene scene = read_scene(root + "/assets/scenes/" + job.scene + ".gltf");
@@ -168,8 +176,8 @@ int main(int count, char** arguments) try {
         while (!progress || progress->seconds < seconds - inaccuracy)
             pass(job, scene, std::min(seconds - (progress ? progress->seconds : 0), longest_pass), threads, progress);
         const PictureMean mean = mean_of(progress->picture, 0, 1);
-        std::printf("| %s | %.0f | %.0f | %.5g +- %.2g %% | %.2g %% |\n", job.name().c_str(), progress->seconds,
-                    progress->samples, mean.mean, 100 * mean.standard_error / mean.mean,
+        std::printf("| %s | %.0f | %.0f | %.0f | %.5g +- %.2g %% | %.2g %% |\n", job.name().c_str(), progress->seconds,
+                    progress->samples, progress->photons, mean.mean, 100 * mean.standard_error / mean.mean,
                     100 * relative_error(progress->picture));
         std::fflush(stdout);
     }
