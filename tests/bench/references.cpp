@@ -6,9 +6,9 @@
 // after each, so the command may be stopped and started again at any time. Ends with the table of the README.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -46,16 +46,22 @@ struct Progress {
 };
 
 std::vector<Job> all_jobs() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(root + "/assets/scenes"))
+        if (entry.path().extension() == ".gltf") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
     std::vector<Job> jobs;
-    for (const char* name : {"cornell-box", "gloss-lab", "metal-lab", "spheres", "brewster-room", "furnace"}) {
-        const Scene scene = read_scene(root + "/assets/scenes/" + name + ".gltf");
-        const bool square = std::strcmp(name, "cornell-box") == 0, polarizes = needs_of(scene).stokes > 1;
+    for (const std::filesystem::path& file : files) {
+        const std::string name = file.stem().string();
+        const Scene scene = read_scene(file.string());
+        const bool polarizes = needs_of(scene).stokes > 1;
         for (const Camera& camera : scene.cameras) {
-            const Job small{name, camera.name, square ? 96 : 128, 96, true};
-            jobs.push_back(small);
-            if (polarizes) jobs.push_back({name, camera.name, small.width, small.height, false});
+            const int width = static_cast<int>(std::lround(96 * camera.aspect_ratio));
+            jobs.push_back({name, camera.name, width, 96, true});
+            if (polarizes) jobs.push_back({name, camera.name, width, 96, false});
         }
-        if (polarizes || square) jobs.push_back({name, scene.cameras.front().name, 320, 240, true});
+        if (name != "furnace")  // where every pixel is 2
+            jobs.push_back({name, scene.cameras.front().name, 320, 240, true});
     }
     return jobs;
 }

@@ -189,6 +189,23 @@ TEST(ClosedAnswers, ParallelMirrors) {
     EXPECT_NEAR(seen.mean[1] / seen.mean[0], -(s - p) / (s + p), 1e-4);
 }
 
+/// A pile of five plates met at Brewster's angle, all reflections between and inside them: scene_checks
+/// pile_of_plates_brewster_T and _DoP. They are so wide that light which goes to and fro leaves them no sooner than after
+/// a hundred reflections. What passes is polarized along p, upright in this picture.
+TEST(ClosedAnswers, PileOfPlates) {
+    HandMade room;
+    const auto plate = room.add(test_materials::pane()), lamp = room.add(emitter(glm::vec3(1.0f)));
+    for (int k = 0; k < 5; ++k) room.square("plate " + std::to_string(k), {0, 0, -0.01 * k}, {0, 0, 1}, 1, plate);
+    room.square("lamp", {0, 0, -0.1}, {0, 0, 1}, 1, lamp);
+    const double theta = std::atan(1.5);
+    const Camera camera = looking({0, -2 * std::sin(theta), 2 * std::cos(theta)}, glm::dvec3(0.0), 0.1);
+    const Seen seen = render(*room.finish(), camera, 8, 500);
+    expect_close("pile of plates", seen.mean[0], 0.682741116751269, seen.error[0]);
+    expect_close("pile of plates, polarized part", -seen.mean[1], 0.682741116751269 * 0.4646840148698885,
+                 seen.error[1]);
+    EXPECT_NEAR(seen.mean[2], 0, errors_allowed * seen.error[2] + 1e-6);
+}
+
 /// A furnace of radiance 1 stays 1 and unpolarized, whatever lossless thing stands in it, polarization on or off: a
 /// glass body, a pane, white plastic smooth and rough (theory 3.9, 6).
 TEST(ClosedAnswers, LosslessThingsAreInvisibleInAFurnace) {
