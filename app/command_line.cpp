@@ -132,6 +132,13 @@ void add_solve_options(CLI::App& verb, SolveOptions& options) {
     add_json(verb, options.json);
 }
 
+/// A saved solution brings its settings along, so none of these may be given beside it.
+void add_saved(CLI::App& verb, const std::string& option, std::string& path, const std::string& what,
+               const std::vector<std::string>& unwanted) {
+    CLI::Option* saved = verb.add_option(option, path, what)->type_name("FILE.bins");
+    for (const std::string& name : unwanted) saved->excludes(verb.get_option(name));
+}
+
 std::vector<Map> parse_maps(const std::vector<std::string>& names) {
     std::vector<Map> maps;
     std::vector<std::string> known = {"all"};
@@ -177,6 +184,8 @@ void add_size(CLI::App& verb, std::optional<PictureSize>& size) {
 
 void add_shot_options(CLI::App& verb, ShotOptions& options) {
     add_solve_options(verb, options.solve);
+    add_saved(verb, "--from", options.solve.resume, "Draw a solution that was kept by solve --save; its settings hold",
+              {"--set", "--seed", "--memory", "--kernel", "--photons", "--seconds", "--target-error"});
     verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
@@ -343,6 +352,11 @@ Command parse_command_line(int argc, const char* const* argv) {
 
     CLI::App* solve_verb = program.add_subcommand("solve", "Trace photons and report what they found");
     add_solve_options(*solve_verb, solve);
+    solve_verb->add_option("--save", solve.save, "Keep the solution in a file, to go on from or to draw")
+        ->type_name("FILE.bins");
+    add_saved(*solve_verb, "--resume", solve.resume,
+              "Go on from a kept solution, with so many photons or seconds more; its settings hold",
+              {"--set", "--seed", "--memory", "--kernel"});
     solve_verb->footer(
         "The first stop that is reached ends the run; Ctrl+C ends it with the photons there are.\n"
         "Example: brewster solve assets/scenes/cornell-box.gltf --target-error 0.02 --threads 2");

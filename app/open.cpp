@@ -55,7 +55,8 @@ void open_scene(const OpenOptions& options) {
     ShotOptions pictures;
     pictures.solve.stop = options.stop;
     pictures.solve.engine = options.engine;
-    shot(scene, pictures);
+    Engine engine(scene, options.engine);
+    shot(engine, pictures);
 }
 
 }  // namespace brewster

@@ -20,11 +20,13 @@ struct SolveOptions {
     std::vector<Setting> settings;  ///< changes of its materials and lamps
     StopRule stop;
     EngineSettings engine;
+    std::string resume;  ///< a saved solution to go on from: its settings hold; empty: none
+    std::string save;    ///< where the solution is kept; empty: nowhere
     bool json = false;
 };
 
 struct ShotOptions {
-    SolveOptions solve;
+    SolveOptions solve;                ///< with `resume`: pictures of what was saved, no more photons
     std::vector<std::string> cameras;  ///< empty: all
     std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
     std::vector<Map> maps = {Map::radiance};

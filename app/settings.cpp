@@ -61,6 +61,10 @@ void apply(Scene& scene, const Setting& setting) {
 
 }  // namespace
 
+std::string setting_text(const Setting& setting) {
+    return setting.owner + "." + setting.property + "=" + setting.value;
+}
+
 std::optional<Setting> parse_setting(std::string_view text) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string_view::npos) return {};

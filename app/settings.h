@@ -17,6 +17,9 @@ struct Setting {
 /// Nothing if a part is missing.
 std::optional<Setting> parse_setting(std::string_view text);
 
+/// The same backwards.
+std::string setting_text(const Setting& setting);
+
 /// Changes the scene, setting after setting. Throws Error, with the nearest name there is, for an owner or a property
 /// that is not known, and for a value that does not fit.
 void apply_settings(Scene& scene, const std::vector<Setting>& settings);

@@ -9,14 +9,15 @@ namespace brewster {
 
 void shot(const ShotOptions& options) {
     if (options.solve.json) log_only_warnings();
-    shot(load_scene(options.solve.scene, options.solve.settings), options);
+    const std::unique_ptr<Engine> engine = engine_for(options.solve);
+    shot(*engine, options);
 }
 
-void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options) {
-    const std::vector<PictureName> pictures = plan_pictures(*scene, options);
-    Engine engine(scene, options.solve.engine);
-    trace(engine, options.solve.stop);
-    const float exposure = write_pictures(*scene, engine.snapshot(), options, pictures);
+void shot(Engine& engine, const ShotOptions& options) {
+    const Scene& scene = engine.scene();
+    const std::vector<PictureName> pictures = plan_pictures(scene, options);
+    if (options.solve.resume.empty()) trace(engine, options.solve.stop);
+    const float exposure = write_pictures(scene, engine.snapshot(), options, pictures);
 
     if (options.solve.json) {
         print_result(shot_report(result_of(engine), exposure, pictures));

@@ -30,9 +30,10 @@ std::string summary(const SolveResult& result) {
 
 void solve(const SolveOptions& options) {
     if (options.json) log_only_warnings();
-    Engine engine(load_scene(options.scene, options.settings), options.engine);
-    trace(engine, options.stop);
-    const SolveResult result = result_of(engine);
+    const std::unique_ptr<Engine> engine = engine_for(options);
+    trace(*engine, options.stop);
+    if (!options.save.empty()) engine->save(options.save);
+    const SolveResult result = result_of(*engine);
     print_result(options.json ? solve_report(result) : summary(result));
 }
 

@@ -9,8 +9,22 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "embedded_app.h"
+#include "engine/saved_settings.h"
 
 namespace brewster {
+namespace {
+
+std::vector<Setting> settings_from(const std::vector<std::string>& texts, const SolutionReader& file) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) {
+        const std::optional<Setting> setting = parse_setting(text);
+        if (!setting) file.block("settings").refuse();
+        settings.push_back(*setting);
+    }
+    return settings;
+}
+
+}  // namespace
 
 std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vector<Setting>& settings) {
     auto scene = std::make_shared<Scene>(path.empty() ? read_scene_text(embedded::default_scene(), "cornell-box")
@@ -20,9 +34,26 @@ std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vect
     return scene;
 }
 
+std::unique_ptr<Engine> engine_for(const SolveOptions& options) {
+    if (options.resume.empty()) {
+        EngineSettings settings = options.engine;
+        for (const Setting& setting : options.settings) settings.changes.push_back(setting_text(setting));
+        return std::make_unique<Engine>(load_scene(options.scene, options.settings), settings);
+    }
+    const SolutionReader file(options.resume);
+    EngineSettings settings = saved_settings(file).engine;
+    settings.threads = options.engine.threads;
+    auto engine = std::make_unique<Engine>(load_scene(options.scene, settings_from(settings.changes, file)), settings);
+    engine->load(file);
+    return engine;
+}
+
 void trace(Engine& engine, const StopRule& wished) {
     StopRule rule = wished;
     if (!rule.photons && !rule.seconds && !rule.target_error) rule.photons = default_photons;
+    const Progress before = engine.progress();
+    if (rule.photons) *rule.photons += before.photons;
+    if (rule.seconds) *rule.seconds += before.seconds;
     constexpr double seconds_between_looks = 0.1;
     constexpr const char* clear_line = "\r\x1b[K";
     const bool on_terminal = isatty(STDERR_FILENO) == 1;

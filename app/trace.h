@@ -12,8 +12,12 @@ namespace brewster {
 /// of the program.
 std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vector<Setting>& settings);
 
+/// The engine that the options ask for: new, or with a saved solution taken up. Reads the scene as load_scene does.
+std::unique_ptr<Engine> engine_for(const SolveOptions& options);
+
 /// Traces until the rule holds (an empty one: default_photons) or someone presses Ctrl+C, with a progress bar where
-/// standard error is a terminal. Throws Error when not a single photon was traced.
+/// standard error is a terminal. Counts of the rule are of this call. Throws Error when not
+/// a single photon was traced.
 void trace(Engine& engine, const StopRule& rule);
 
 }  // namespace brewster

@@ -10,7 +10,7 @@ namespace brewster {
 /// error; what fails throws Error.
 void solve(const SolveOptions& options);
 void shot(const ShotOptions& options);
-void shot(const std::shared_ptr<const Scene>& scene, const ShotOptions& options);  ///< of a scene already read
+void shot(Engine& engine, const ShotOptions& options);  ///< of an engine that stands ready
 void info(const InfoOptions& options);
 void make_reference(const ReferenceOptions& options);
 void compare_pictures(const CompareOptions& options);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/byte_stream.h"
 #include "base/fixed_point.h"
 #include "base/units.h"
 
@@ -114,6 +115,18 @@ class Tally {
     void take(Tally& other) {
         drain(other.estimate_, estimate_);
         drain(other.test_, test_);
+    }
+
+    void write(ByteWriter& file) const {
+        file.put_all(estimate_);
+        file.put_all(test_);
+    }
+    /// Sums of as many leaves as the tally has room for.
+    void read(ByteReader& file) {
+        const std::size_t estimates = estimate_.size(), tests = test_.size();
+        estimate_ = file.get_all<Quanta>();
+        test_ = file.get_all<Quanta>();
+        if (estimate_.size() != estimates || test_.size() != tests) file.refuse();
     }
 
   private:

@@ -105,6 +105,10 @@ class BinTree {
     }
     const Outline& outline(std::uint32_t chart) const { return outlines_[chart]; }
 
+    void write(ByteWriter& file) const;
+    /// The tree that was written, of the same outlines and layout; anything else is refused.
+    static BinTree read(ByteReader& file, std::vector<Outline> outlines, const RecordLayout<D>& layout);
+
     /// Adds a tally to the sums of the leaves and leaves it at zero.
     void absorb(Tally<D>& tally);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace brewster {
 
@@ -16,6 +17,13 @@ class BatchSequence {
     void next() {
         begin_ = end();
         blocks_ = std::min(blocks_ + (blocks_ + 3) / 4, most_blocks);
+    }
+
+    /// The batch that begins there; none does at most places.
+    static std::optional<BatchSequence> beginning_at(std::uint64_t photon) {
+        BatchSequence batch;
+        while (batch.begin() < photon) batch.next();
+        return batch.begin() == photon ? std::optional(batch) : std::nullopt;
     }
 
   private:

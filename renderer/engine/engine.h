@@ -7,6 +7,7 @@
 
 #include "bins/bin_settings.h"
 #include "bins/snapshot.h"
+#include "bins/solution_file.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
 #include "transport/kernel.h"
@@ -21,6 +22,7 @@ struct EngineSettings {
     double snapshot_seconds = 0;   ///< > 0: publish at least this often; otherwise only the first batches and the end
     BinSettings bins;
     std::size_t window = default_window;  ///< photons that a worker moves at once; 0: one by one, slowly (make_tracer)
+    std::vector<std::string> changes;     ///< of the scene since its file was read; only kept with saved solutions
     bool guided_emission = true;          ///< lamps learn where their photons are useful
     std::optional<KernelChoice> kernel;   ///< none: the smallest that is exact for the scene
 };
@@ -70,6 +72,14 @@ class Engine {
     void stop();  ///< like pause, and `wait` returns
     void wait();  ///< until the rule holds or stop() is called; throws the Error of a worker that failed
     bool wait_for(double seconds);  ///< true if done, otherwise after `seconds`
+
+    /// Keeps the solution, as it is between runs, in a file that a later engine can go on from.
+    /// Throws Error where it cannot be written; what was there stays.
+    void save(const std::string& path) const;
+
+    /// Goes on from a saved solution, before the first start; its photons count as traced. Throws Error where the file is
+    /// of another scene or other settings (saved_settings), or contradicts itself.
+    void load(const SolutionReader& file);
 
     /// The newest bins, or null before the first. Safe from any thread.
     std::shared_ptr<const Snapshot> snapshot() const;

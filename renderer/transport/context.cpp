@@ -1,18 +1,6 @@
 #include "transport/context.h"
 
 namespace brewster {
-namespace {
-
-std::vector<Outline> selected(const std::vector<Outline>& outlines, const GlossCharts& gloss) {
-    std::vector<Outline> chosen;
-    for (std::uint32_t i = 0; i < gloss.count(); ++i) {
-        chosen.push_back(outlines[gloss.charts[i]]);
-        if (gloss.coarse[i]) chosen.back().least_cell = coarse_cell;
-    }
-    return chosen;
-}
-
-}  // namespace
 
 void TransportCounts::add(const TransportCounts& other) {
     photons += other.photons;
@@ -28,6 +16,6 @@ Bins::Bins(const std::vector<Outline>& outlines, GlossCharts gloss_charts_in, co
       gloss_fields(gloss_in),
       gloss_charts(std::move(gloss_charts_in)),
       entry(outlines, entry_in.layout(), settings),
-      gloss(selected(outlines, gloss_charts), gloss_in.layout(), settings) {}
+      gloss(gloss_charts.outlines(outlines), gloss_in.layout(), settings) {}
 
 }  // namespace brewster

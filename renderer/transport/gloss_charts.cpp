@@ -2,6 +2,15 @@
 
 namespace brewster {
 
+std::vector<Outline> GlossCharts::outlines(const std::vector<Outline>& of_scene) const {
+    std::vector<Outline> chosen;
+    for (std::uint32_t i = 0; i < count(); ++i) {
+        chosen.push_back(of_scene[charts[i]]);
+        if (coarse[i]) chosen.back().least_cell = coarse_cell;
+    }
+    return chosen;
+}
+
 GlossCharts gloss_charts_of(const Scene& scene, const std::vector<PreparedMaterial>& materials) {
     GlossCharts gloss;
     gloss.index.assign(scene.charts.size(), no_chart);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bins/outline.h"
 #include "scene/prepared_material.h"
 #include "scene/scene.h"
 
@@ -14,6 +15,9 @@ struct GlossCharts {
     std::vector<bool> coarse;           ///< per number: its lobe is too narrow for fine cells
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(charts.size()); }
+
+    /// Of these charts alone, from those of the whole scene; coarse ones have large cells.
+    std::vector<Outline> outlines(const std::vector<Outline>& of_scene) const;
 };
 
 /// Gloss of a smaller slope m, and mirrors, are too narrow for bins: these would need more cells than there are photons.

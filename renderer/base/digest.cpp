@@ -1,4 +1,4 @@
-#include "engine/digest.h"
+#include "base/digest.h"
 
 #include <array>
 #include <cstdio>
