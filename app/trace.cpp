@@ -41,9 +41,19 @@ std::unique_ptr<Engine> engine_for(const SolveOptions& options) {
         return std::make_unique<Engine>(load_scene(options.scene, options.settings), settings);
     }
     const SolutionReader file(options.resume);
-    EngineSettings settings = saved_settings(file).engine;
+    const SavedSettings saved = saved_settings(file);
+    EngineSettings settings = saved.engine;
     settings.threads = options.engine.threads;
-    auto engine = std::make_unique<Engine>(load_scene(options.scene, settings_from(settings.changes, file)), settings);
+    std::shared_ptr<const Scene> scene;
+    try {
+        scene = load_scene(options.scene, settings_from(settings.changes, file));
+    } catch (const Error& error) {
+        if (settings.changes.empty()) throw;
+        throw Error("it was traced in a scene called \"" + saved.scene_name +
+                        "\", changed by --set, which fails here (" + error.what() + std::string(")"),
+                    options.resume, "name the scene file that it was made of");
+    }
+    auto engine = std::make_unique<Engine>(scene, settings);
     engine->load(file);
     return engine;
 }
