@@ -126,6 +126,9 @@ void BinTree<D>::split(std::uint32_t index, int axis, std::uint32_t position, st
                 child.geometry.area *= static_cast<double>(child.box.high[a] - child.box.low[a]) /
                                        static_cast<double>(cells_[index].box.high[a] - cells_[index].box.low[a]);
             }
+        } else if (a >= 2) {  // the same place, half of the directions
+            child.geometry = cells_[index].geometry;
+            child.triangles = cells_[index].triangles;
         } else {
             const Outline& outline = outlines_[child.chart];
             child.triangles = triangles_in(outline, position_box(child.box), cells_[index].triangles);

@@ -13,6 +13,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "scene/gltf_text.h"
 
 namespace brewster {
@@ -69,8 +70,6 @@ bool keep_image(tinygltf::Image* image, const int index, std::string*, std::stri
 // The parser's complaints as part of one sentence; it likes to repeat whole data URIs.
 std::string one_sentence(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
-    for (char& c : text)
-        if (c == '\n') c = ' ';
     constexpr std::size_t longest = 160;
     if (text.size() > longest) text = text.substr(0, longest) + "...";
     return text;
@@ -151,7 +150,7 @@ GltfAccessor accessor_of(const tinygltf::Accessor& from) {
 }
 
 GltfMesh mesh_of(const tinygltf::Mesh& from) {
-    GltfMesh mesh{from.name, {}, from.weights};
+    GltfMesh mesh{one_line(from.name), {}, from.weights};
     for (const tinygltf::Primitive& primitive : from.primitives)
         mesh.primitives.push_back(
             {primitive.attributes, primitive.indices, primitive.material, primitive.mode, !primitive.targets.empty()});
@@ -160,7 +159,7 @@ GltfMesh mesh_of(const tinygltf::Mesh& from) {
 
 GltfNode node_of(const tinygltf::Node& from) {
     GltfNode node;
-    node.name = from.name;
+    node.name = one_line(from.name);
     node.mesh = from.mesh;
     node.camera = from.camera;
     node.skin = from.skin;
@@ -245,7 +244,7 @@ GltfTextureUse use_of(const tinygltf::ExtensionMap& extensions, const std::strin
 
 GltfMaterial material_of(const tinygltf::Material& from) {
     GltfMaterial material;
-    material.name = from.name;
+    material.name = one_line(from.name);
     material.base_color = from.pbrMetallicRoughness.baseColorFactor;
     if (!from.emissiveFactor.empty()) material.emissive = from.emissiveFactor;
     material.metallic = from.pbrMetallicRoughness.metallicFactor;
@@ -278,7 +277,7 @@ GltfMaterial material_of(const tinygltf::Material& from) {
 }
 
 GltfLight light_of(const tinygltf::Light& from) {
-    GltfLight light{from.name, from.type, from.color, from.intensity, from.range, 0, 0};
+    GltfLight light{one_line(from.name), from.type, from.color, from.intensity, from.range, 0, 0};
     if (light.color.empty()) light.color = {1, 1, 1};
     light.inner_cone_angle = from.spot.innerConeAngle;
     light.outer_cone_angle = from.spot.outerConeAngle;
@@ -303,16 +302,17 @@ GltfFile file_of(tinygltf::Model&& from, std::map<int, Bytes>&& pictures) {
     for (const tinygltf::Node& node : from.nodes) file.nodes.push_back(node_of(node));
     for (const tinygltf::Material& material : from.materials) file.materials.push_back(material_of(material));
     for (const tinygltf::Camera& camera : from.cameras)
-        file.cameras.push_back({camera.name, camera.type, camera.perspective.yfov, camera.perspective.znear,
+        file.cameras.push_back({one_line(camera.name), camera.type, camera.perspective.yfov, camera.perspective.znear,
                                 camera.perspective.aspectRatio});
     for (const tinygltf::Light& light : from.lights) file.lights.push_back(light_of(light));
     for (const tinygltf::Skin& skin : from.skins) file.skins.push_back({skin.inverseBindMatrices, skin.joints});
     for (const tinygltf::Image& image : from.images)
-        file.images.push_back({image.bufferView, image.uri, std::move(pictures[static_cast<int>(file.images.size())])});
+        file.images.push_back(
+            {image.bufferView, one_line(image.uri), std::move(pictures[static_cast<int>(file.images.size())])});
     for (const tinygltf::Sampler& sampler : from.samplers)
         file.samplers.push_back({sampler.magFilter, sampler.minFilter, sampler.wrapS, sampler.wrapT});
     for (const tinygltf::Texture& texture : from.textures) file.textures.push_back({texture.source, texture.sampler});
-    for (const tinygltf::Scene& scene : from.scenes) file.scenes.push_back({scene.name, scene.nodes});
+    for (const tinygltf::Scene& scene : from.scenes) file.scenes.push_back({one_line(scene.name), scene.nodes});
     file.scene = from.defaultScene;
     file.extensions_used = from.extensionsUsed;
     file.extensions_required = from.extensionsRequired;

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/one_line.h"
 #include "base/units.h"
 #include "scene/accessor.h"
 #include "scene/contacts.h"
@@ -97,7 +98,8 @@ class Reader {
             "BREWSTER_surface",           "KHR_materials_unlit"};  // the last four are said of each material
         std::set<std::string> said;
         for (const std::string& name : file_.extensions_used)
-            if (read.count(name) == 0 && said.insert(name).second) warn("the extension " + name + " is not read");
+            if (read.count(name) == 0 && said.insert(name).second)
+                warn("the extension " + one_line(name) + " is not read");
         if (file_.has_animations) warn("animations are not played; the scene stands as its nodes say");
         if (file_.scenes.size() > 1) {
             const auto shown = static_cast<std::size_t>(std::max(file_.scene, 0));

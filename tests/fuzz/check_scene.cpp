@@ -45,7 +45,8 @@ void check_material(const Scene& scene, const Material& material) {
     promise(within(material.albedo, 0, 1), "albedo is a share");
     promise(within(material.emission, 0, 1e24f), "emission is finite");
     promise(within(material.interface.n, 0, 1e6f) && within(material.interface.k, 0, 1e6f), "n and k are finite");
-    promise(material.interface.slope >= 0 && material.interface.slope <= static_cast<float>(steepest_slope), "m is simulated");
+    promise(material.interface.slope >= 0 && material.interface.slope <= static_cast<float>(steepest_slope),
+            "m is simulated");
     promise(material.texture == no_texture || material.texture < scene.textures.size(), "its texture is there");
 }
 

@@ -40,15 +40,16 @@ void collect(json& value, std::vector<Place>& places) {
 
 json any_number(Random& random) {
     static const std::array<json, 30> numbers = {
-        0,    1,    2,     3,     4,     5,      6,    -1,   255,  256,  65535, 33071, 33648, 10497, 9728,
-        5120, 5121, 5122,  5123,  5125,  5126,   1e-9, 0.5,  -0.5, 1e-3, 100.0, 1e9,   1e-30, 1e30,  2147483647};
+        0,    1,    2,    3,    4,    5,    6,    -1,  255,  256,  65535, 33071, 33648, 10497, 9728,
+        5120, 5121, 5122, 5123, 5125, 5126, 1e-9, 0.5, -0.5, 1e-3, 100.0, 1e9,   1e-30, 1e30,  2147483647};
     return numbers[below(random, numbers.size())];
 }
 
 json any_text(Random& random) {
     static const std::array<const char*, 18> texts = {
-        "MASK",     "BLEND",      "OPAQUE",      "VEC2", "VEC3",   "VEC4",        "SCALAR",       "MAT4",       "spot",
-        "point",    "directional", "perspective", "",     "a/b.bin", "data:,",     "KHR_materials_unlit", "../x", "2.1"};
+        "MASK", "BLEND", "OPAQUE",      "VEC2",        "VEC3", "VEC4",    "SCALAR", "MAT4",
+        "spot", "point", "directional", "perspective", "",     "a/b.bin", "data:,", "KHR_materials_unlit",
+        "../x", "2.1"};
     return texts[below(random, texts.size())];
 }
 

@@ -27,8 +27,9 @@ int main(int argc, char** argv) {
         mutation.change(file);
         write(scenes, mutation.name, file.dump());
     }
-    for (const char* text : {"grey.albedo=0.2,0.4,0.6", "gold.medium=silver", "plastic.roughness=0.3", "plastic.ior=1.7",
-                             "wave.rmsHeight=0.2", "wave.correlationLength=3", "sheet.angle=45", "plate.retardance=180",
-                             "sun.direction=0,-1,0.5", "bulb.intensity=3", "grey.emission=1e3", "sun.angularDiameter=1"})
+    for (const char* text :
+         {"grey.albedo=0.2,0.4,0.6", "gold.medium=silver", "plastic.roughness=0.3", "plastic.ior=1.7",
+          "wave.rmsHeight=0.2", "wave.correlationLength=3", "sheet.angle=45", "plate.retardance=180",
+          "sun.direction=0,-1,0.5", "bulb.intensity=3", "grey.emission=1e3", "sun.angularDiameter=1"})
         write(settings, std::string(text).substr(0, std::string(text).find('=')), text);
 }

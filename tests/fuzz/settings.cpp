@@ -34,8 +34,8 @@ brewster::Scene scene_of_everything() {
     lights.push_back({{"type", "directional"}});
     lights.push_back({{"type", "point"}});
     for (const int light : {1, 2})
-        file.add_node({{"name", light == 1 ? "sun" : "bulb"},
-                       {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
+        file.add_node(
+            {{"name", light == 1 ? "sun" : "bulb"}, {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
     return brewster::read_scene_text(file.text(), "everything");
 }
 

@@ -205,6 +205,15 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
     EXPECT_EQ(scene.cameras[0].name, "fit");
 }
 
+TEST(Read, NamesStayOnOneLine) {
+    GltfBuilder file = square();
+    file.json["nodes"][0]["name"] = "a\nb";
+    file.json["materials"][0]["name"] = std::string("c\0d", 3);
+    const Scene scene = scene_of(file);
+    EXPECT_EQ(scene.charts[0].mesh, "a b");
+    EXPECT_EQ(scene.materials[0].name, "c d");
+}
+
 // What Blender writes for a ball of glass has no thickness, and so is a bubble; a flat pane is what it seems.
 TEST(Read, CurvedPanesAreSaidToBeShells) {
     GltfBuilder file;
