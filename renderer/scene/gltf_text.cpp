@@ -1,6 +1,7 @@
 #include "scene/gltf_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -248,8 +249,16 @@ class Checker {
     void check_numbers(const json& list, const std::string& path, std::size_t length) const {
         if (!list.is_array() || list.size() != length)
             wrong(path, "is not a list of " + std::to_string(length) + " numbers");
-        for (const json& value : list)
+        for (const json& value : list) {
             if (!value.is_number()) wrong(path, "is not a list of " + std::to_string(length) + " numbers");
+            check_width(value, path);
+        }
+    }
+
+    // The parser keeps whole numbers of extensions in 32 bits, without a word.
+    void check_width(const json& value, const std::string& path) const {
+        if (value.is_number_integer() && std::abs(value.get<double>()) > std::numeric_limits<std::int32_t>::max())
+            wrong(path, "is " + value.dump() + ", a whole number of more than 31 bits without a decimal point");
     }
 
     void check_kind(const json& value, const std::string& path, Kind kind) const {
@@ -262,6 +271,7 @@ class Checker {
                 return;
             case Kind::number:
                 if (!value.is_number()) wrong(path, "is not a number");
+                check_width(value, path);
                 return;
             case Kind::boolean:
                 if (!value.is_boolean()) wrong(path, "is neither true nor false");

@@ -13,7 +13,7 @@ TEST(Bright, WhiteRoomKeepsItsLight) {
     SceneFile file;
     file.box("room", glm::vec3(-1), glm::vec3(1), true, file.material(0.999));
     file.bulb(1, {0.1, 0.2, 0.3});
-    constexpr std::uint64_t photons = slow ? 500 : 5000;
+    constexpr std::uint64_t photons = slow ? 100 : 800;
     const Solved result = solved(file, photons);
     std::printf("%.0f bounces a photon\n", static_cast<double>(result.bounces) / (8.0 * static_cast<double>(photons)));
     expect_value(result.everywhere, 4 * pi / (0.001 * 24), "white room");

@@ -19,6 +19,7 @@ struct SceneFile::Impl {
 
 SceneFile::SceneFile() : impl_(std::make_unique<Impl>()) {}
 SceneFile::~SceneFile() = default;
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
 
 int SceneFile::material(double albedo, double emission, const std::string& more) {
     const int index = impl_->builder.add_material("material " + std::to_string(impl_->materials++),
@@ -145,7 +146,7 @@ Solved solved(const SceneFile& file, std::uint64_t photons, const EngineSettings
 
 std::string digits(double number) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.17g", number);
+    std::snprintf(text.data(), text.size(), "%.16e", number);
     return text.data();
 }
 

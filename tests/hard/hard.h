@@ -15,6 +15,7 @@ class SceneFile {
   public:
     SceneFile();
     ~SceneFile();
+    SceneFile(SceneFile&&) noexcept;
 
     /// Lambert without an interface; `more`: JSON that is merged into the material.
     int material(double albedo, double emission = 0, const std::string& more = "{}");

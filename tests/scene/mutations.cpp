@@ -226,6 +226,11 @@ const std::vector<Mutation>& mutations() {
         {"NegativeStrength",
          [](J& f) { f["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = -1; },
          "emissiveStrength\" is -1.000000, out of range"},
+        {"StrengthOfMoreThan31Bits",
+         [](J& f) {
+             f["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = 1000000000000;
+         },
+         "emissiveStrength\" is 1000000000000, a whole number of more than 31 bits"},
         {"MetallicIsText", [](J& f) { f["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = "no"; },
          "metallicFactor\" is not a number"},
         {"SmallIor",
