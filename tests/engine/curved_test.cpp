@@ -139,17 +139,18 @@ TEST(Curved, IntegratingSphere) {
 }
 
 // In a bowl, half of what any point gives off meets the bowl again, evenly: radiosity E / (1 - rho / 2), direct
-// irradiance E / 2, whatever the place. No band along the rim or along the borders of patches.
+// irradiance E / 2, whatever the place. No band along the rim or along the borders of patches. (Facets of 64 rows are off
+// by 6e-4, those of 192 by a ninth of that.)
 TEST(Curved, GlowingBowl) {
     constexpr double albedo = 0.8, emission = 1;
     const auto scene =
-        scene_of(sphere_part(64, 1, -1, pi / 2), static_cast<float>(albedo), static_cast<float>(emission));
+        scene_of(sphere_part(192, 1, -1, pi / 2), static_cast<float>(albedo), static_cast<float>(emission));
     const double share = area_of(*scene) / (4 * pi), radiosity = pi * emission / (1 - albedo * share);
     const Measured m = measured(scene, slow ? 30000 : 200000);
     report("bowl, direct irradiance", m.direct, pi * emission * share, m.direct_error);
     report("bowl, indirect irradiance", m.indirect, (radiosity - pi * emission) * share, m.indirect_error);
-    EXPECT_NEAR(m.direct, pi * emission * share, 3 * m.direct_error + 3e-4 * m.direct);
-    EXPECT_NEAR(m.indirect, (radiosity - pi * emission) * share, 3 * m.indirect_error + 3e-4 * m.indirect);
+    EXPECT_NEAR(m.direct, pi * emission * share, 3 * m.direct_error);
+    EXPECT_NEAR(m.indirect, (radiosity - pi * emission) * share, 3 * m.indirect_error);
     std::printf("worst of 400 places: %.4f of the mean\n", m.worst_place / (m.direct + m.indirect));
     EXPECT_LT(m.worst_place, (slow ? 0.2 : 0.04) * (m.direct + m.indirect));
 }
