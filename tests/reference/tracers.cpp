@@ -62,21 +62,31 @@ void expect_agreement(const std::string& what, const std::array<Pair, 4>& pairs)
     }
 }
 
-/// Four scenes of the assets, each class that both tracers can render.
+void add(PictureMean& sum, const PictureMean& part) {
+    sum = {sum.mean + part.mean, std::hypot(sum.standard_error, part.standard_error)};
+}
+
+/// Four scenes of the assets, each class that both tracers can render, and all of them together.
 TEST(Tracers, AgreeClassByClass) {
     for (const char* name : {"cornell-box", "gloss-lab", "metal-lab", "spheres"}) {
         const auto scene = asset(name);
+        std::array<Pair, 4> together{};
         for (std::size_t k = 0; k < 3; ++k) {
             if (k > 0 && std::string(name) == "cornell-box") continue;
             const auto pairs = both(*scene, scene->cameras.front(), shared_classes[k], 2000);
             EXPECT_GT(pairs[0].camera.mean, 0);
             expect_agreement(std::string(name) + ", " + class_names[k], pairs);
+            for (std::size_t j = 0; j < 4; ++j) {
+                add(together[j].camera, pairs[j].camera);
+                add(together[j].light, pairs[j].light);
+            }
             if (k == 0 && light_test_scale == 1) {
                 // The control: 5 % more light on one side would be noticed.
                 EXPECT_GT(std::abs(1.05 * pairs[0].light.mean - pairs[0].camera.mean),
                           4 * std::hypot(1.05 * pairs[0].light.standard_error, pairs[0].camera.standard_error));
             }
         }
+        expect_agreement(std::string(name) + ", together", together);
     }
 }
 
