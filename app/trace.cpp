@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "app/faint_lamps.h"
 #include "app/interrupt.h"
 #include "app/progress_line.h"
 #include "base/error.h"
@@ -84,6 +85,9 @@ void trace(Engine& engine, const StopRule& wished) {
     if (photons == 0) {
         throw Error("no photon was traced", engine.scene().name, "give it more time with --photons or --seconds");
     }
+    for (const std::string& lamp : faint_lamps(engine.scene(), static_cast<double>(photons)))
+        log_warning("lamp \"" + lamp + "\" is too faint for " + std::to_string(photons) +
+                    " photons; what it lights alone stays dark");
     if (ctrl_c.interrupted()) log_warning("stopped by a signal; going on with " + std::to_string(photons) + " photons");
 }
 

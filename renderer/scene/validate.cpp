@@ -103,7 +103,7 @@ struct Validator {
         if (accessor.components == 0) return;
         check_sparse(accessor, path);
         if (accessor.buffer_view == -1) {
-            constexpr std::size_t most_zeros = std::size_t{1} << 22;  // no bytes vouch for their number
+            constexpr std::size_t most_zeros = std::size_t{1} << 20;  // no bytes vouch for their number
             if (accessor.count > most_zeros)
                 wrong(path + ".count", "is " + std::to_string(accessor.count) + " without a bufferView, too large");
             return;

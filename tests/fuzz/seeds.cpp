@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string>
 
+#include "engine/engine.h"
 #include "scene/mutations.h"
 
 namespace {
@@ -14,12 +15,26 @@ void write(const fs::path& folder, const std::string& name, const std::string& b
     std::ofstream(folder / name, std::ios::binary) << bytes;
 }
 
+// A small solution of the whole file's scene; of a fixed grid, or with trees that grow.
+void save_solution(const fs::path& folder, int fixed_grid_log2) {
+    using namespace brewster;
+    fs::create_directories(folder);
+    EngineSettings settings;
+    settings.bins.memory_bytes = std::size_t{1} << 20;
+    settings.bins.fixed_grid_log2 = fixed_grid_log2;
+    Engine engine(std::make_shared<const Scene>(read_scene_text(whole_file().text(), "whole")), settings);
+    engine.start({2000, {}, {}});
+    engine.wait();
+    engine.save((folder / ("grid " + std::to_string(fixed_grid_log2))).string());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace brewster;
     if (argc != 2) return 2;
     const fs::path scenes = fs::path(argv[1]) / "scene", settings = fs::path(argv[1]) / "settings";
+    for (const int grid : {0, -1}) save_solution(fs::path(argv[1]) / "solution", grid);
     write(scenes, "whole.gltf", whole_file().text());
     write(scenes, "whole.glb", whole_file().glb());
     for (const Mutation& mutation : mutations()) {
