@@ -8,6 +8,8 @@
 
 #include "app/analyzer_text.h"
 #include "app/suggestion.h"
+#include "app/view_text.h"
+#include "base/error.h"
 
 namespace brewster {
 namespace {
@@ -182,16 +184,10 @@ void add_size(CLI::App& verb, std::optional<PictureSize>& size) {
         ->type_name("WxH");
 }
 
-void add_shot_options(CLI::App& verb, ShotOptions& options) {
-    add_solve_options(verb, options.solve);
-    add_saved(verb, "--from", options.solve.resume, "Draw a solution that was kept by solve --save; its settings hold",
-              {"--set", "--seed", "--memory", "--kernel", "--photons", "--seconds", "--target-error"});
-    verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
-        ->type_name("NAME")
-        ->allow_extra_args(false);
-    add_size(verb, options.size);
+/// How linear light is shown: maps, palette, analyzer.
+void add_rendition(CLI::App& verb, std::vector<Map>& maps, Palette& palette, Analyzer& analyzer) {
     verb.add_option_function<std::vector<std::string>>(
-            "--map", [&](const std::vector<std::string>& names) { options.maps = parse_maps(names); },
+            "--map", [&](const std::vector<std::string>& names) { maps = parse_maps(names); },
             "What to show: " + map_list() + " (default " + std::string(map_descriptions.front().name) +
                 "); may be repeated")
         ->type_name("NAME")
@@ -199,36 +195,119 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
     verb.add_option_function<std::string>(
             "--analyzer",
             [&](const std::string& text) {
-                const std::optional<Analyzer> analyzer = parse_analyzer(text);
-                if (!analyzer) refuse("--analyzer", text, "an angle in degrees, right, left or none");
-                options.analyzer = *analyzer;
+                const std::optional<Analyzer> wished = parse_analyzer(text);
+                if (!wished) refuse("--analyzer", text, "an angle in degrees, right, left or none");
+                analyzer = *wished;
             },
             "A filter in front of the camera: a polarizer at an angle from the horizontal, counter-clockwise, or a "
             "circular one (default none)")
         ->type_name("DEG|right|left|none");
     verb.add_option_function<std::string>(
-            "--palette", [&](const std::string& name) { options.palette = parse_palette(name); },
+            "--palette", [&](const std::string& name) { palette = parse_palette(name); },
             "Colours of the maps: blue-orange (safe for the colour-blind), red-green or polanalyser (default "
             "blue-orange)")
         ->type_name("NAME");
-    add_number(verb, "--exposure", "Stops brighter or darker than 1 cd/m2 = white (default: fits the first camera)",
-               -64, 64, [&](double stops) { options.exposure = stops; })
+}
+
+void add_exposure(CLI::App& verb, std::optional<double>& exposure, const std::string& otherwise) {
+    add_number(verb, "--exposure", "Stops brighter or darker than 1 cd/m2 = white (default: " + otherwise + ")", -64,
+               64, [&exposure](double stops) { exposure = stops; })
         ->type_name("EV");
-    add_whole_number(verb, "--samples", "Jittered draws a picture is the mean of (default 64)", 1, 1 << 20,
-                     [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
-        ->type_name("J");
-    add_polarization(verb, options.polarization);
+}
+
+void add_legend(CLI::App& verb, bool& legend) {
     verb.add_option_function<std::string>(
             "--legend",
             [&](const std::string& text) {
                 if (text != "on" && text != "off") refuse("--legend", text, "on or off");
-                options.legend = text == "on";
+                legend = text == "on";
             },
             "The words in the corner of a PNG picture (default on)")
         ->type_name("on|off");
+}
+
+/// Runs what reads a text; its Error becomes a refusal of the option.
+template <class Read>
+void read_words(const std::string& option, const Read& read) {
+    try {
+        read();
+    } catch (const Error& error) {
+        throw CLI::ValidationError(option, error.what());
+    }
+}
+
+void add_views(CLI::App& verb, ShotOptions& options) {
+    verb.add_option_function<std::vector<std::string>>(
+            "--view",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    read_words("--view", [&] { apply_view(parse_view(text), options); });
+            },
+            "A picture in words: camera, eye, target, up (x,y,z), fov, size, ev, map, palette, analyzer, polarization, "
+            "gather, samples, seed, each key=value; other options of the command line outweigh it; may be repeated")
+        ->type_name("TEXT")
+        ->allow_extra_args(false);
+    verb.add_option_function<std::string>(
+            "--views",
+            [&](const std::string& path) {
+                read_words("--views", [&] {
+                    for (const View& view : read_views(path)) apply_view(view, options);
+                });
+            },
+            "A file with one view a line, for many pictures from one solution")
+        ->type_name("FILE");
+}
+
+void add_shot_options(CLI::App& verb, ShotOptions& options) {
+    add_views(verb, options);  // first: what is read later outweighs it
+    add_solve_options(verb, options.solve);
+    add_saved(verb, "--from", options.solve.resume, "Draw a solution that was kept by solve --save; its settings hold",
+              {"--set", "--seed", "--memory", "--kernel", "--photons", "--seconds", "--target-error"});
+    verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    add_size(verb, options.size);
+    add_rendition(verb, options.maps, options.palette, options.analyzer);
+    add_exposure(verb, options.exposure, "fits the first camera");
+    add_whole_number(verb, "--samples", "Jittered draws a picture is the mean of (default 64)", 1, 1 << 20,
+                     [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
+        ->type_name("J");
+    add_polarization(verb, options.polarization);
+    add_legend(verb, options.legend);
+    verb.add_flag("--ground-truth", options.ground_truth,
+                  "EXR pictures also hold I0, I45, I90, I135, normals, positions, depth and material, and cameras.json "
+                  "the cameras");
     verb.add_option("--out", options.out,
                     "Where to, .png or .exr, with {camera} and {map} filled in (default " + options.out + ")")
         ->type_name("FILE");
+}
+
+/// Pixels of some meshes only; `what` shows them.
+void add_region(CLI::App& verb, std::string& scene, std::string& camera, std::vector<std::string>& regions,
+                const std::string& what) {
+    CLI::Option* scene_option =
+        verb.add_option("--scene", scene, "The scene of " + what + ", for --region")->type_name("SCENE");
+    CLI::Option* camera_option =
+        verb.add_option("--camera", camera, "The camera of " + what + ", for --region")->type_name("NAME");
+    verb.add_option("--region", regions, "Only pixels that show nothing but these meshes")
+        ->type_name("MESH,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->needs(scene_option)
+        ->needs(camera_option);
+}
+
+void add_develop_options(CLI::App& verb, DevelopOptions& options) {
+    verb.add_option("picture", options.picture, "An EXR picture of linear light")->required()->type_name("PICTURE.exr");
+    add_rendition(verb, options.maps, options.palette, options.analyzer);
+    add_exposure(verb, options.exposure, "the file's, else fits the picture");
+    add_legend(verb, options.legend);
+    add_region(verb, options.scene, options.camera, options.regions, "the picture");
+    verb.add_option("--out", options.out,
+                    "Where to, .png, with {camera} and {map} filled in (default " + options.out + ")")
+        ->type_name("FILE");
+    add_json(verb, options.json);
+    verb.footer("Example: brewster develop front.exr --map dolp --map aolp --analyzer 30 --out 'front-{map}.png'");
 }
 
 void add_compare_options(CLI::App& verb, CompareOptions& options) {
@@ -236,16 +315,7 @@ void add_compare_options(CLI::App& verb, CompareOptions& options) {
     verb.add_option("reference", options.reference, "What it is measured against, of the same size")
         ->required()
         ->type_name("B.exr");
-    CLI::Option* scene =
-        verb.add_option("--scene", options.scene, "The scene that both show, for --region")->type_name("SCENE");
-    CLI::Option* camera =
-        verb.add_option("--camera", options.camera, "The camera that took them, for --region")->type_name("NAME");
-    verb.add_option("--region", options.regions, "Only pixels that show nothing but these meshes")
-        ->type_name("MESH,...")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->needs(scene)
-        ->needs(camera);
+    add_region(verb, options.scene, options.camera, options.regions, "both pictures");
     add_whole_number(verb, "--block", "Compare means over blocks of so many pixels a side (default 1)", 1, 4096,
                      [&](std::uint64_t side) { options.block = static_cast<int>(side); })
         ->type_name("N");
@@ -330,6 +400,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     OpenOptions open;
     SolveOptions solve;
     ShotOptions shot;
+    DevelopOptions develop;
     InfoOptions info;
     ReferenceOptions reference;
     CompareOptions compare;
@@ -367,6 +438,10 @@ Command parse_command_line(int argc, const char* const* argv) {
         "PNG is what a screen shows; EXR holds linear radiance with its variance, whatever map and exposure are.\n"
         "Example: brewster shot assets/scenes/cornell-box.gltf --camera front --size 512x512 --out front.exr");
 
+    CLI::App* develop_verb =
+        program.add_subcommand("develop", "Show a picture of linear light as maps, and say its means");
+    add_develop_options(*develop_verb, develop);
+
     CLI::App* info_verb = program.add_subcommand("info", "Say what a scene holds and what is not simulated");
     add_scene(*info_verb, info.scene);
     add_settings(*info_verb, info.settings);
@@ -403,6 +478,7 @@ Command parse_command_line(int argc, const char* const* argv) {
 
     if (solve_verb->parsed()) return solve;
     if (shot_verb->parsed()) return shot;
+    if (develop_verb->parsed()) return develop;
     if (info_verb->parsed()) return info;
     if (reference_verb->parsed()) return reference;
     if (compare_verb->parsed()) return compare;

@@ -16,6 +16,7 @@ void run(const brewster::Command& command) {
             using Options = std::decay_t<decltype(options)>;
             if constexpr (std::is_same_v<Options, brewster::SolveOptions>) brewster::solve(options);
             if constexpr (std::is_same_v<Options, brewster::ShotOptions>) brewster::shot(options);
+            if constexpr (std::is_same_v<Options, brewster::DevelopOptions>) brewster::develop(options);
             if constexpr (std::is_same_v<Options, brewster::InfoOptions>) brewster::info(options);
             if constexpr (std::is_same_v<Options, brewster::ReferenceOptions>) brewster::make_reference(options);
             if constexpr (std::is_same_v<Options, brewster::CompareOptions>) brewster::compare_pictures(options);

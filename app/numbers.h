@@ -15,6 +15,8 @@ std::optional<double> parse_number(std::string_view text);
 
 struct PictureSize {
     int width = 0, height = 0;  ///< pixels
+
+    friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
 inline constexpr int largest_picture_side = 16384;

@@ -7,6 +7,7 @@
 
 #include "app/numbers.h"
 #include "app/settings.h"
+#include "app/view.h"
 #include "display/rendition.h"
 #include "engine/engine.h"
 #include "image/compare.h"
@@ -27,19 +28,36 @@ struct SolveOptions {
 
 struct ShotOptions {
     SolveOptions solve;                ///< with `resume`: pictures of what was saved, no more photons
-    std::vector<std::string> cameras;  ///< empty: all
+    std::vector<std::string> cameras;  ///< empty and no views: all
+    std::vector<View> views;           ///< cameras in words
     std::optional<PictureSize> size;   ///< none: default_picture_height and the camera's shape
     std::vector<Map> maps = {Map::radiance};
     Palette palette = Palette::blue_orange;
     Analyzer analyzer;
     std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
     int samples = 64;                ///< jittered draws a picture is the mean of
+    bool gather = true;              ///< rays of the eye that end in the bins; else the bins alone
     bool legend = true;              ///< in PNG pictures
+    bool ground_truth = false;       ///< EXR pictures also hold what a camera cannot see, and the cameras go to a file
     bool polarization = true;        ///< off: the world where no surface can tell polarizations apart
     std::string out = "pictures/{camera}.png";
 };
 
 inline constexpr int default_picture_height = 480;
+
+/// A picture file of linear light, shown as `shot` would show it.
+struct DevelopOptions {
+    std::string picture;  ///< path of an EXR file
+    std::vector<Map> maps = {Map::radiance};
+    Palette palette = Palette::blue_orange;
+    Analyzer analyzer;
+    std::optional<double> exposure;  ///< EV; none: the file's, else found from the picture
+    bool legend = true;
+    std::string out = "{map}.png";
+    std::string scene, camera;         ///< what it shows; needed for a region
+    std::vector<std::string> regions;  ///< meshes over which means are taken; empty: the whole picture
+    bool json = false;
+};
 
 struct InfoOptions {
     std::string scene;
@@ -83,6 +101,7 @@ struct OpenOptions {
     bool headless = false;  ///< draw pictures even where a window could be opened
 };
 
-using Command = std::variant<OpenOptions, SolveOptions, ShotOptions, InfoOptions, ReferenceOptions, CompareOptions>;
+using Command =
+    std::variant<OpenOptions, SolveOptions, ShotOptions, DevelopOptions, InfoOptions, ReferenceOptions, CompareOptions>;
 
 }  // namespace brewster

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "app/ground_truth.h"
+#include "app/report.h"
 #include "app/suggestion.h"
 #include "base/error.h"
 #include "display/legend.h"
@@ -52,6 +56,14 @@ void complete(Picture& picture, const Rendition& rendition, int draws) {
     if (missing > 0) picture.draw(missing, rendition);
 }
 
+/// cameras.json beside the first of the pictures.
+void write_cameras(const Scene& scene, const std::vector<CameraRecord>& records) {
+    const std::filesystem::path path = std::filesystem::path(records.front().path).parent_path() / "cameras.json";
+    std::ofstream file(path);
+    if (!(file << camera_file(scene, records)) || !file.flush())
+        throw Error("cannot be written", path.string(), "check that the folder has room");
+}
+
 }  // namespace
 
 PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished) {
@@ -81,6 +93,8 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
     Rendition rendition{Map::radiance, options.analyzer, options.polarization, exposure, options.palette};
 
     Text text;
+    std::optional<Rays> rays;
+    std::vector<CameraRecord> records;
     for (const PictureName& name : pictures) {
         const Camera& camera = scene.camera(name.camera);
         const PictureSize size = size_for(camera, options.size);
@@ -94,6 +108,12 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
             stokes.attributes.emplace_back("brewster.photons", std::to_string(photons));
             stokes.attributes.emplace_back("brewster.polarization", options.polarization ? "on" : "off");
             stokes.attributes.emplace_back("brewster.seed", std::to_string(options.solve.engine.seed));
+            stokes.attributes.emplace_back("brewster.exposure", exact_text(static_cast<double>(exposure)));
+            if (options.ground_truth) {
+                if (!rays) rays.emplace(scene);
+                add_ground_truth(stokes, scene, *rays, camera);
+                records.push_back({camera.name, name.path, size, camera});
+            }
             write_stokes_exr(name.path, stokes);
         } else {
             rendition.map = name.map;
@@ -104,6 +124,7 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
             write_png(name.path, screen.read());
         }
     }
+    if (!records.empty()) write_cameras(scene, records);
     return exposure;
 }
 

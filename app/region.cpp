@@ -1,23 +1,9 @@
 #include "app/region.h"
 
+#include "app/seen_point.h"
 #include "scene/rays.h"
 
 namespace brewster {
-namespace {
-
-// What the eye sees along a ray: it looks through backs that are not there.
-Hit seen(const Rays& rays, Ray ray) {
-    Hit hit;
-    do {
-        rays.intersect({&ray, 1}, {&hit, 1});
-        if (hit.escaped() || hit.chart != no_chart) return hit;
-        ray.origin = hit.position;
-        ray.leaving = hit.triangle;
-    } while (true);
-}
-
-}  // namespace
-
 std::vector<std::uint8_t> region_mask(const Scene& scene, const std::string& camera_name,
                                       const std::vector<std::string>& meshes, int width, int height) {
     const Camera& camera = scene.camera(camera_name);
@@ -27,9 +13,8 @@ std::vector<std::uint8_t> region_mask(const Scene& scene, const std::string& cam
 
     const Rays rays(scene);
     const auto shows_mesh = [&](float x, float y) {
-        const Ray ray{camera.position, ray_direction(camera, width, height, x, y), no_triangle};
-        const Hit hit = seen(rays, ray);
-        return !hit.escaped() && wanted[hit.chart];
+        const std::optional<Hit> hit = seen_hit(rays, camera.position, ray_direction(camera, width, height, x, y));
+        return hit && wanted[hit->chart];
     };
     // Corners are shared by four pixels: asked once.
     const std::size_t columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);

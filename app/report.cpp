@@ -158,6 +158,21 @@ Json polarization_object(const BandPolarization& band) {
             {"aolp_bias_degrees", band.aolp_bias}};
 }
 
+Json band_statistics_object(const BandStatistics& band) {
+    Json object = {{"mean", band.mean}, {"standard_error", band.standard_error},
+                   {"dop", band.dop},   {"dolp", band.dolp},
+                   {"docp", band.docp}, {"aolp_degrees", nullptr}};
+    if (band.aolp) object["aolp_degrees"] = *band.aolp;
+    return object;
+}
+
+Json picture_list(const std::vector<PictureName>& pictures) {
+    Json files = Json::array();
+    for (const PictureName& picture : pictures)
+        files.push_back({{"camera", picture.camera}, {"map", description(picture.map).name}, {"path", picture.path}});
+    return files;
+}
+
 }  // namespace
 
 SolveResult result_of(const Engine& engine) {
@@ -183,11 +198,7 @@ std::string solve_report(const SolveResult& result) {
 }
 
 std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures) {
-    Json files = Json::array();
-    for (const PictureName& picture : pictures) {
-        files.push_back({{"camera", picture.camera}, {"map", description(picture.map).name}, {"path", picture.path}});
-    }
-    return text_of({{"pictures", files}, {"exposure", exposure}, {"solve", solve_object(result)}});
+    return text_of({{"pictures", picture_list(pictures)}, {"exposure", exposure}, {"solve", solve_object(result)}});
 }
 
 std::string info_report(const Scene& scene) {
@@ -246,6 +257,33 @@ std::string compare_report(const PictureDifference& difference) {
         report["polarization"] = object;
     }
     return text_of(report);
+}
+
+std::string develop_report(const std::vector<PictureName>& pictures, const PictureStatistics& statistics) {
+    Json bands = Json::object();
+    for (std::size_t band = 0; band < statistics.bands.size(); ++band)
+        bands[std::string(1, band_letters[band])] = band_statistics_object(statistics.bands[band]);
+    return text_of({{"pictures", picture_list(pictures)}, {"pixels", statistics.pixels}, {"bands", bands}});
+}
+
+std::string camera_file(const Scene& scene, const std::vector<CameraRecord>& cameras) {
+    Json list = Json::array();
+    for (const CameraRecord& record : cameras) {
+        const CameraMatrices matrices = camera_matrices(scene, record.camera, record.size);
+        list.push_back({{"name", record.name},
+                        {"picture", record.path},
+                        {"width", record.size.width},
+                        {"height", record.size.height},
+                        {"intrinsics", matrices.intrinsics},
+                        {"world_to_camera", matrices.world_to_camera},
+                        {"camera_to_world", matrices.camera_to_world}});
+    }
+    Json materials = Json::array();
+    for (const Material& material : scene.materials) materials.push_back(material.name);
+    return text_of({{"scene", scene.name},
+                    {"axes", "x right, y down, z forward; metres"},
+                    {"materials", materials},
+                    {"cameras", list}});
 }
 
 }  // namespace brewster

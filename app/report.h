@@ -3,10 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "app/ground_truth.h"
 #include "app/picture_names.h"
 #include "base/fixed_point.h"
 #include "engine/engine.h"
 #include "image/compare.h"
+#include "image/statistics.h"
 #include "reference/reference.h"
 #include "scene/scene.h"
 #include "transport/ledger.h"
@@ -44,5 +46,9 @@ std::string shot_report(const SolveResult& result, double exposure, const std::v
 std::string info_report(const Scene& scene);
 std::string reference_report(const ReferenceResult& result);
 std::string compare_report(const PictureDifference& difference);
+std::string develop_report(const std::vector<PictureName>& pictures, const PictureStatistics& statistics);
+
+/// The cameras of pictures, see CameraMatrices; what cameras.json holds.
+std::string camera_file(const Scene& scene, const std::vector<CameraRecord>& cameras);
 
 }  // namespace brewster

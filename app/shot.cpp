@@ -3,6 +3,7 @@
 #include "app/report.h"
 #include "app/trace.h"
 #include "app/verbs.h"
+#include "app/view_text.h"
 #include "base/log.h"
 
 namespace brewster {
@@ -13,8 +14,11 @@ void shot(const ShotOptions& options) {
     shot(*engine, options);
 }
 
-void shot(Engine& engine, const ShotOptions& options) {
-    const Scene& scene = engine.scene();
+void shot(Engine& engine, const ShotOptions& wished) {
+    ShotOptions options = wished;
+    std::optional<Scene> with_views;
+    if (!wished.views.empty()) add_views(with_views.emplace(engine.scene()), options);
+    const Scene& scene = with_views ? *with_views : engine.scene();
     const std::vector<PictureName> pictures = plan_pictures(scene, options);
     if (options.solve.resume.empty()) trace(engine, options.solve.stop);
     const float exposure = write_pictures(scene, engine.snapshot(), options, pictures);

@@ -11,6 +11,7 @@ namespace brewster {
 void solve(const SolveOptions& options);
 void shot(const ShotOptions& options);
 void shot(Engine& engine, const ShotOptions& options);  ///< of an engine that stands ready
+void develop(const DevelopOptions& options);
 void info(const InfoOptions& options);
 void make_reference(const ReferenceOptions& options);
 void compare_pictures(const CompareOptions& options);

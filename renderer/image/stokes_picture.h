@@ -34,6 +34,10 @@ struct StokesPicture {
     const std::vector<glm::vec3>& variance_of(Plane plane) const { return variance[static_cast<std::size_t>(plane)]; }
 };
 
+/// A file's picture: S0.R .. V3.B, or R G B alone; what is missing is zero. Its one world is taken for both, so that
+/// whatever world one looks at is the file's. Throws Error without any radiance.
+StokesPicture stokes_picture(const Image& image);
+
 /// One world as named channels S0.R .. V3.B, ready for write_stokes_exr. Without polarization S1 to S3 are zero.
 Image stokes_image(const StokesPicture& picture, bool polarization);
 

@@ -74,6 +74,28 @@ TEST(CommandLine, ShotTakesMapsAndAnalyzers) {
     EXPECT_NE(end_of({"shot", "box.gltf", "--map", "dollp"}).text.find("did you mean 'dolp'"), std::string::npos);
 }
 
+TEST(CommandLine, OtherOptionsOutweighAView) {
+    const auto options = std::get<ShotOptions>(
+        parse({"shot", "box.gltf", "--map", "s2", "--seed", "5", "--view", "map=dolp seed=3 analyzer=30 camera=low"}));
+    EXPECT_EQ(options.maps, (std::vector<Map>{Map::s2}));
+    EXPECT_EQ(options.solve.engine.seed, 5u);
+    EXPECT_EQ(options.analyzer.angle, 30);
+    ASSERT_EQ(options.views.size(), 1u);
+    EXPECT_EQ(options.views[0].camera, "low");
+    EXPECT_NE(end_of({"shot", "box.gltf", "--view", "mapp=dolp"}).text.find("did you mean"), std::string::npos);
+}
+
+TEST(CommandLine, DevelopTakesItsOptions) {
+    const auto options = std::get<DevelopOptions>(
+        parse({"develop", "a.exr", "--map", "dolp", "--exposure", "2", "--analyzer", "right", "--legend", "off"}));
+    EXPECT_EQ(options.picture, "a.exr");
+    EXPECT_EQ(options.maps, (std::vector<Map>{Map::dolp}));
+    EXPECT_EQ(options.exposure, 2);
+    EXPECT_EQ(options.analyzer.kind, Analyzer::Kind::right);
+    EXPECT_FALSE(options.legend);
+    EXPECT_EQ(end_of({"develop", "a.exr", "--region", "floor"}).exit_code, 2);
+}
+
 TEST(AnalyzerText, ReadsWhatItWrites) {
     for (const Analyzer& analyzer : {Analyzer{}, Analyzer{Analyzer::Kind::linear, 0.1}, Analyzer{Analyzer::Kind::right},
                                      Analyzer{Analyzer::Kind::left}, Analyzer{Analyzer::Kind::linear, -1e-7}})

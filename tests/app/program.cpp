@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/process.h"
+#include "display/maps.h"
+#include "image/png.h"
 
 /// The command line as a person or a script meets it: the real program, its exit codes, what it prints where.
 namespace brewster {
@@ -144,6 +146,43 @@ TEST(Program, ShotComparesWithItself) {
         EXPECT_EQ(report["components"]["S0"][band]["rmse"], 0.0) << "the same seed draws the same picture";
         EXPECT_GT(report["components"]["S0"][band]["mean"], 0.0);
     }
+}
+
+// The file holds the linear light and the exposure: developed, it is the picture that was drawn, but for the rounding of
+// a mean and its variance to one code.
+TEST(Program, DevelopedFilesShowTheSamePicture) {
+    const std::string folder = fresh_folder();
+    const std::string spheres = BREWSTER_SOURCE_DIR "/assets/scenes/spheres.gltf";
+    const std::string view = "eye=0.2,1.2,3 target=0,0.5,0 fov=50 size=64x48 samples=2";
+    const auto shot = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"shot", spheres, "--photons", "5e4", "--view", view};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult result = brewster(arguments, folder);
+        EXPECT_EQ(result.exit_code, 0) << result.errors;
+    };
+    shot({"--ground-truth", "--out", "light.exr"});
+    shot({"--map", "all", "--out", "shot-{map}.png"});
+    const ProcessResult developed =
+        brewster({"develop", "light.exr", "--map", "all", "--out", "file-{map}.png", "--json"}, folder);
+    ASSERT_EQ(developed.exit_code, 0) << developed.errors;
+    const json report = json::parse(developed.output);
+    EXPECT_EQ(report["pictures"].size(), map_descriptions.size() - 2);
+    for (const json& picture : report["pictures"]) {
+        const std::string map = picture["map"];
+        const ScreenImage from_shot = read_png(folder + "/shot-" + map + ".png");
+        const ScreenImage from_file = read_png(folder + "/file-" + map + ".png");
+        ASSERT_EQ(from_shot.rgba.size(), from_file.rgba.size());
+        int worst = 0;
+        for (std::size_t i = 0; i < from_shot.rgba.size(); ++i)
+            worst = std::max(worst, std::abs(from_shot.rgba[i] - from_file.rgba[i]));
+        EXPECT_LE(worst, map == "error" ? 3 : 1) << map;
+    }
+    EXPECT_GT(report["bands"]["G"]["mean"][0], 0.0);
+    const json cameras = json::parse(read_text(folder + "/cameras.json"));
+    EXPECT_EQ(cameras["cameras"][0]["name"], "view");
+    EXPECT_EQ(cameras["cameras"][0]["width"], 64);
+    expect_sentence(brewster({"develop", "light.exr", "--map", "bins"}, folder), 1, "brewster shot");
+    expect_sentence(brewster({"shot", spheres, "--view", "map=heat"}, folder), 2, "heat");
 }
 
 TEST(Program, CompareLooksAtRegionsAndBlocksAndDrawsTheDifference) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+
 namespace brewster {
 namespace {
 
@@ -25,6 +27,21 @@ TEST(StokesPicture, ItsImageHoldsTheWorldThatIsAskedFor) {
         }
     }
     EXPECT_EQ(on.channel_names(), off.channel_names());
+}
+
+TEST(StokesPicture, FilesAreReadBack) {
+    StokesPicture picture(1, 1);
+    for (std::size_t plane = 0; plane < plane_count; ++plane) {
+        picture.light[plane][0] = glm::vec3(static_cast<float>(plane + 1));
+        picture.variance[plane][0] = glm::vec3(static_cast<float>(plane + 11));
+    }
+    const StokesPicture again = stokes_picture(stokes_image(picture, true));
+    for (const Plane plane : {Plane::s0, Plane::s1, Plane::s2, Plane::s3}) {
+        EXPECT_EQ(again.of(plane), picture.of(plane));
+        EXPECT_EQ(again.variance_of(plane), picture.variance_of(plane));
+    }
+    EXPECT_EQ(again.of(Plane::unpolarized), picture.of(Plane::s0));
+    EXPECT_THROW(stokes_picture(Image(1, 1)), Error);
 }
 
 }  // namespace
