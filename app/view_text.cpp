@@ -13,24 +13,24 @@
 namespace brewster {
 namespace {
 
-struct Word {
+struct ViewWord {
     std::string key, value;
 };
 
-[[noreturn]] void refuse(const Word& word, const std::string& wish) {
+[[noreturn]] void refuse(const ViewWord& word, const std::string& wish) {
     throw Error("'" + word.value + "' is not " + wish, "view, word " + word.key, "mend the word or leave it out");
 }
 
 /// The words of the text: key=value, the value up to the next space or between double quotes.
-std::vector<Word> words_of(std::string_view text) {
-    std::vector<Word> words;
+std::vector<ViewWord> words_of(std::string_view text) {
+    std::vector<ViewWord> words;
     std::size_t at = 0;
     while ((at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos) {
         const std::size_t equals = text.find_first_of("= \t\r\n", at);
         if (equals == std::string_view::npos || text[equals] != '=')
             throw Error("'" + std::string(text.substr(at, equals - at)) + "' is no word like key=value", "view",
                         "write for example camera=front map=dolp");
-        Word word{std::string(text.substr(at, equals - at)), {}};
+        ViewWord word{std::string(text.substr(at, equals - at)), {}};
         at = equals + 1;
         const bool quoted = at < text.size() && text[at] == '"';
         if (quoted) ++at;
@@ -44,26 +44,26 @@ std::vector<Word> words_of(std::string_view text) {
     return words;
 }
 
-double number(const Word& word, double least, double most) {
+double number(const ViewWord& word, double least, double most) {
     const std::optional<double> value = parse_number(word.value);
     if (!value || *value < least || *value > most)
         refuse(word, "a number from " + significant(least) + " to " + significant(most));
     return *value;
 }
 
-std::uint64_t whole_number(const Word& word, std::uint64_t least, std::uint64_t most) {
+std::uint64_t whole_number(const ViewWord& word, std::uint64_t least, std::uint64_t most) {
     const std::optional<std::uint64_t> value = parse_whole_number(word.value);
     if (!value || *value < least || *value > most)
         refuse(word, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return *value;
 }
 
-bool on_or_off(const Word& word) {
+bool on_or_off(const ViewWord& word) {
     if (word.value != "on" && word.value != "off") refuse(word, "on or off");
     return word.value == "on";
 }
 
-glm::dvec3 point(const Word& word) {
+glm::dvec3 point(const ViewWord& word) {
     glm::dvec3 place(0.0);
     std::string_view rest = word.value;
     for (int k = 0; k < 3; ++k) {
@@ -78,7 +78,7 @@ glm::dvec3 point(const Word& word) {
 }
 
 template <class Value>
-Value known(const Word& word, const std::optional<Value>& value, const std::string& wish) {
+Value known(const ViewWord& word, const std::optional<Value>& value, const std::string& wish) {
     if (!value) refuse(word, wish);
     return *value;
 }
@@ -87,7 +87,7 @@ View::Pose& pose_in(View& view) {
     return view.pose ? *view.pose : view.pose.emplace();
 }
 
-void take(const Word& word, View& view) {
+void take(const ViewWord& word, View& view) {
     static const std::vector<std::string> keys = {"camera",       "eye",    "target",  "up",      "fov",
                                                   "size",         "ev",     "map",     "palette", "analyzer",
                                                   "polarization", "gather", "samples", "seed"};
@@ -139,7 +139,7 @@ std::string quoted(const std::string& value) {
 View parse_view(std::string_view text) {
     View view;
     bool has_eye = false, has_target = false;
-    for (const Word& word : words_of(text)) {
+    for (const ViewWord& word : words_of(text)) {
         take(word, view);
         has_eye = has_eye || word.key == "eye";
         has_target = has_target || word.key == "target";

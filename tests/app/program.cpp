@@ -155,7 +155,7 @@ TEST(Program, DevelopedFilesShowTheSamePicture) {
     const std::string spheres = BREWSTER_SOURCE_DIR "/assets/scenes/spheres.gltf";
     const std::string view = "eye=0.2,1.2,3 target=0,0.5,0 fov=50 size=64x48 samples=2";
     const auto shot = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = {"shot", spheres, "--photons", "5e4", "--view", view};
+        std::vector<std::string> arguments = {"shot", spheres, "--photons", "1e4", "--view", view};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ProcessResult result = brewster(arguments, folder);
         EXPECT_EQ(result.exit_code, 0) << result.errors;
