@@ -83,10 +83,13 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout
         return;
     }
     for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
+    // A lobe has a shape in every place: cells of position alone would have to be kept for the sake of the directions
+    // that are split below them. So photons decide what is split first.
+    if (D == 4) return;
     // Splits made before the first photon lose no sums; a few thousand cells cost little and are pruned where they tell
     // nothing.
-    const double first_cells = std::min(D == 2 ? 8192.0 : 1024.0, 0.25 * static_cast<double>(settings.memory_bytes) /
-                                                                      static_cast<double>(bytes_per_node()));
+    const double first_cells =
+        std::min(8192.0, 0.25 * static_cast<double>(settings.memory_bytes) / static_cast<double>(bytes_per_node()));
     const std::size_t contact_nodes = nodes_.size();
     for (std::uint32_t index = 0; index < contact_nodes; ++index) {
         if (!nodes_[index].is_leaf()) continue;

@@ -55,7 +55,7 @@ BinTree<D> grown_tree(const RecordLayout<D>& layout) {
 template <int D>
 void expect_same_descent() {
     const BinTree<D> tree = grown_tree<D>({});
-    EXPECT_GT(tree.leaf_count(), 300u);
+    EXPECT_GT(tree.leaf_count(), 150u);
     for (std::uint64_t i = 0; i < 2000; ++i) {
         std::array<std::uint32_t, lane_count> chart, leaves;
         std::array<std::array<std::uint32_t, lane_count>, D> columns;
