@@ -38,6 +38,8 @@ int main(int argc, char** argv) {
     write(scenes, "whole.gltf", whole_file().text());
     write(scenes, "whole.glb", whole_file().glb());
     for (const Mutation& mutation : mutations()) {
+        // Its neighbours place nearly ten million triangles: right, and 20 seconds under sanitizers.
+        if (mutation.name == "ManyCopies") continue;
         nlohmann::json file = nlohmann::json::parse(whole_file().text());
         mutation.change(file);
         write(scenes, mutation.name, file.dump());
