@@ -84,7 +84,8 @@ Value known(const ViewWord& word, const std::optional<Value>& value, const std::
 }
 
 View::Pose& pose_in(View& view) {
-    return view.pose ? *view.pose : view.pose.emplace();
+    if (!view.pose) view.pose = View::Pose{};  // clang 14 does not see that emplace() would do
+    return *view.pose;
 }
 
 void take(const ViewWord& word, View& view) {
