@@ -12,10 +12,18 @@ float below_one(double x) {
     return std::min(static_cast<float>(x), 0x1.fffffep-1f);
 }
 
+// Where a photon of a sun or of a point flies is said by two of its numbers. An area lamp takes all four: directions that
+// are useful from here are useless from there, and a guess from few photons would only add noise.
+std::vector<bool> guided_lamps(const Scene& scene) {
+    std::vector<bool> guided;
+    for (const Lamp& lamp : scene.lamps) guided.push_back(lamp.kind != LampKind::area);
+    return guided;
+}
+
 }  // namespace
 
 PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed)
-    : scene_(scene), sampler_(scene), guide_(scene.lamps.size()), seed_(seed) {
+    : scene_(scene), sampler_(scene), guide_(guided_lamps(scene)), seed_(seed) {
     for (const Lamp& lamp : scene.lamps) mean_power_ += static_cast<double>(lamp.mean_power());
     double sum = 0;
     for (const Lamp& lamp : scene.lamps) {
@@ -66,7 +74,7 @@ EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
     const auto lamp = static_cast<std::uint32_t>(found - cumulative_.begin());
     std::array<double, 4> numbers;
     for (unsigned d = 0; d < 4; ++d) numbers[d] = 0x1p-32 * sobol_word(photon, d + 1);
-    // A sun is guided by where its photons start, any other lamp by where they go.
+    // A sun is guided by where its photons start, a point by where they go.
     const std::size_t guided_number = scene_.lamps[lamp].kind == LampKind::sun ? 0 : 2;
     const EmissionGuide::Start guided = guide_.warp(lamp, numbers[guided_number], numbers[guided_number + 1]);
     const Emission start = sampler_.emit(

@@ -24,7 +24,7 @@ struct EmittedPhoton {
 
 /// Chooses lamps by their power and starts on them, by an Owen-scrambled Sobol sequence a replica (photon index mod 8):
 /// every prefix of the photons covers all lamps evenly. A guide warps where on a sun's beam, or in which direction from
-/// other lamps, photons start.
+/// a point, photons start.
 class PhotonEmission {
   public:
     /// Dimensions of the sequence that emission uses: the lamp, and four for the start. Those behind are free.

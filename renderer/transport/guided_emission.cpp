@@ -31,10 +31,11 @@ void GuideTally::take(GuideTally& other) {
     }
 }
 
-EmissionGuide::EmissionGuide(std::size_t lamps) : lamps_(static_cast<std::uint32_t>(lamps)), nodes_(lamps) {
-    const std::size_t cells = std::min(first_cells, most_first_cells / std::max<std::size_t>(lamps, 1));
+EmissionGuide::EmissionGuide(std::vector<bool> guided)
+    : guided_(std::move(guided)), lamps_(static_cast<std::uint32_t>(guided_.size())), nodes_(lamps_) {
+    const std::size_t cells = std::min(first_cells, most_first_cells / std::max<std::size_t>(lamps_, 1));
     for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp)
-        for (std::size_t known = 1; 2 * known <= cells; known *= 2)
+        for (std::size_t known = 1; guided_[lamp] && 2 * known <= cells; known *= 2)
             for (const std::uint32_t index : below(lamp))
                 if (nodes_[index].low_child == 0) split(index);
 }
@@ -69,7 +70,8 @@ void EmissionGuide::learn(GuideTally& tally) {
         nodes_[cell].traced += tally.traced[cell];
         nodes_[cell].useful += tally.useful[cell];
     }
-    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp) learn(lamp);
+    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp)
+        if (guided_[lamp]) learn(lamp);
     tally.traced.assign(nodes_.size(), 0);
     tally.useful.assign(nodes_.size(), 0);
 }
@@ -168,7 +170,8 @@ bool EmissionGuide::restore(std::vector<Node> nodes) {
         nodes_[i].useful = nodes[i].useful;
     }
     if (!possible) nodes_.swap(before);
-    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp) weigh(below(lamp));
+    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp)
+        if (guided_[lamp]) weigh(below(lamp));
     return possible;
 }
 

@@ -26,7 +26,8 @@ struct GuideTally {
 /// only, at the ends of batches, from integer counts: the same for any number of threads.
 class EmissionGuide {
   public:
-    explicit EmissionGuide(std::size_t lamps);
+    /// Per lamp, whether it can be guided: two of its numbers alone must say where a photon flies. Others stay as they are.
+    explicit EmissionGuide(std::vector<bool> guided);
 
     struct Start {
         std::uint32_t cell = 0;  ///< where it is counted
@@ -61,6 +62,7 @@ class EmissionGuide {
     void split(std::uint32_t index);
     void weigh(const std::vector<std::uint32_t>& order);
 
+    std::vector<bool> guided_;  // per lamp
     std::uint32_t lamps_;
     std::vector<Node> nodes_;  // the roots first, one a lamp
 };

@@ -41,7 +41,7 @@ Batch run_batch(EmissionGuide& guide, std::uint64_t first, std::uint64_t photons
 }
 
 EmissionGuide learned() {
-    EmissionGuide guide(2);
+    EmissionGuide guide({true, true});
     for (std::uint64_t batch = 0; batch < 12; ++batch) run_batch(guide, batch << 16, 1 << 14);
     return guide;
 }
@@ -56,8 +56,18 @@ TEST(EmissionGuide, FindsAWindowAndKeepsItsLight) {
     const double variance = batch.flux_squared - batch.flux * batch.flux;
     EXPECT_NEAR(batch.flux, 0.02, 4 * std::sqrt(variance / photons));
     EXPECT_LT(variance, 0.02 * 0.98 / 20);  // of plain emission over 20
-    EmissionGuide plain(2);
+    EmissionGuide plain({true, true});
     EXPECT_NEAR(run_batch(plain, 1ull << 32, photons, false).useful_share, 0.02, 4 * std::sqrt(0.02 / photons));
+}
+
+TEST(EmissionGuide, LampsThatCannotBeGuidedAreNot) {
+    EmissionGuide guide({true, false});
+    for (std::uint64_t batch = 0; batch < 4; ++batch) run_batch(guide, batch << 16, 1 << 14);
+    double x = 0.1, y = 0.1;
+    const EmissionGuide::Start start = guide.warp(1, x, y);
+    EXPECT_EQ(start.cell, 1u);
+    EXPECT_EQ(start.weight, 1.0f);
+    EXPECT_EQ(x, 0.1);
 }
 
 TEST(EmissionGuide, WhatWastesNothingStaysToTheBit) {
@@ -91,7 +101,7 @@ TEST(EmissionGuide, WeightsAreBoundedAndMeanOne) {
 
 TEST(EmissionGuide, NodesThatWereWrittenDownComeBack) {
     const EmissionGuide guide = learned();
-    EmissionGuide copy(2);
+    EmissionGuide copy({true, true});
     ASSERT_TRUE(copy.restore(guide.nodes()));
     ASSERT_EQ(copy.cell_count(), guide.cell_count());
     for (std::size_t i = 0; i < guide.cell_count(); ++i) {
