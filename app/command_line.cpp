@@ -269,10 +269,19 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
     add_size(verb, options.size);
     add_rendition(verb, options.maps, options.palette, options.analyzer);
     add_exposure(verb, options.exposure, "fits the first camera");
-    add_whole_number(verb, "--samples", "Jittered draws a picture is the mean of (default 64)", 1, 1 << 20,
-                     [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
+    add_whole_number(verb, "--samples", "Draws for each pixel, on the mean, that a picture is made of (default 64)", 1,
+                     1 << 20, [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
         ->type_name("J");
     add_polarization(verb, options.polarization);
+    verb.add_option_function<std::string>(
+            "--gather",
+            [&](const std::string& text) {
+                if (text != "on" && text != "off") refuse("--gather", text, "on or off");
+                options.gather = text == "on";
+            },
+            "On follows rays from the eye that end in the bins: crisp light, gloss of any width, mirrors, glass; off "
+            "shows the bins alone (default on)")
+        ->type_name("on|off");
     add_legend(verb, options.legend);
     verb.add_flag("--ground-truth", options.ground_truth,
                   "EXR pictures also hold I0, I45, I90, I135, normals, positions, depth and material, and cameras.json "

@@ -35,7 +35,7 @@ struct ShotOptions {
     Palette palette = Palette::blue_orange;
     Analyzer analyzer;
     std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
-    int samples = 64;                ///< jittered draws a picture is the mean of
+    int samples = 64;                ///< draws for each pixel, on the mean, that a picture is made of
     bool gather = true;              ///< rays of the eye that end in the bins; else the bins alone
     bool legend = true;              ///< in PNG pictures
     bool ground_truth = false;       ///< EXR pictures also hold what a camera cannot see, and the cameras go to a file

@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "app/suggestion.h"
 #include "base/error.h"
+#include "display/gathered_light.h"
 #include "display/legend.h"
 #include "display/osmesa_context.h"
 #include "display/picture.h"
@@ -79,18 +80,22 @@ std::vector<PictureName> plan_pictures(const Scene& scene, const ShotOptions& op
     return pictures;
 }
 
-float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
-                     const std::vector<PictureName>& pictures) {
+PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
+                              const std::vector<PictureName>& pictures) {
     const OsmesaContext context;
     const std::uint64_t photons = bins->photons;
     Picture picture(scene);
     const ScreenPass screen_pass;
+    GatheredLight gathered;
+    std::optional<EyePictures> eye;
+    if (options.gather) eye.emplace(scene, bins, options);
     picture.show(std::move(bins));
     picture.upload();
 
-    const float exposure =
+    PicturesResult result;
+    result.exposure =
         options.exposure ? static_cast<float>(*options.exposure) : picture.exposure_of(scene.cameras.front());
-    Rendition rendition{Map::radiance, options.analyzer, options.polarization, exposure, options.palette};
+    Rendition rendition{Map::radiance, options.analyzer, options.polarization, result.exposure, options.palette};
 
     Text text;
     std::optional<Rays> rays;
@@ -98,17 +103,23 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
     for (const PictureName& name : pictures) {
         const Camera& camera = scene.camera(name.camera);
         const PictureSize size = size_for(camera, options.size);
-        picture.look(camera, size.width, size.height);
-        if (is_exr(name.path)) {
-            rendition.map = Map::radiance;  // a file holds the linear light of one world, whatever the map
+        // A file holds the linear light of one world, whatever the map.
+        rendition.map = is_exr(name.path) ? Map::radiance : name.map;
+        const bool from_bins = !eye || rendition.map == Map::bins;
+        if (from_bins) {
+            picture.look(camera, size.width, size.height);
             complete(picture, rendition, options.samples);
-            Image stokes = picture.stokes(options.polarization);
+        }
+        if (is_exr(name.path)) {
+            Image stokes =
+                from_bins ? picture.stokes(options.polarization) : stokes_image(eye->of(camera), options.polarization);
             stokes.attributes.emplace_back("brewster.scene", scene.name);
             stokes.attributes.emplace_back("brewster.camera", camera.name);
             stokes.attributes.emplace_back("brewster.photons", std::to_string(photons));
             stokes.attributes.emplace_back("brewster.polarization", options.polarization ? "on" : "off");
             stokes.attributes.emplace_back("brewster.seed", std::to_string(options.solve.engine.seed));
-            stokes.attributes.emplace_back("brewster.exposure", exact_text(static_cast<double>(exposure)));
+            stokes.attributes.emplace_back("brewster.gather", options.gather ? "on" : "off");
+            stokes.attributes.emplace_back("brewster.exposure", exact_text(static_cast<double>(result.exposure)));
             if (options.ground_truth) {
                 if (!rays) rays.emplace(scene);
                 add_ground_truth(stokes, scene, *rays, camera);
@@ -116,16 +127,16 @@ float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, c
             }
             write_stokes_exr(name.path, stokes);
         } else {
-            rendition.map = name.map;
-            complete(picture, rendition, options.samples);
+            if (!from_bins) gathered.upload(eye->of(camera));
             const Screen screen = Screen::off_screen(size.width, size.height);
-            screen_pass.show(screen, picture.light(), rendition);
+            screen_pass.show(screen, from_bins ? picture.light() : gathered.textures(), rendition);
             if (options.legend) draw_legend(text, screen, {rendition, scene.name, camera.name, photons});
             write_png(name.path, screen.read());
         }
     }
     if (!records.empty()) write_cameras(scene, records);
-    return exposure;
+    if (eye) result.gather = eye->result();
+    return result;
 }
 
 }  // namespace brewster

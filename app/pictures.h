@@ -1,8 +1,10 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/eye_pictures.h"
 #include "app/options.h"
 #include "app/picture_names.h"
 #include "bins/snapshot.h"
@@ -17,8 +19,14 @@ PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wis
 /// names that cannot be written, so that it comes before the work.
 std::vector<PictureName> plan_pictures(const Scene& scene, const ShotOptions& options);
 
-/// Draws the pictures without a display and writes them. Returns the exposure of the PNG ones, in EV.
-float write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
-                     const std::vector<PictureName>& pictures);
+/// What was found while pictures were made.
+struct PicturesResult {
+    float exposure = 0;                  ///< of the PNG ones, in EV
+    std::optional<GatherResult> gather;  ///< none: drawn from the bins alone
+};
+
+/// Draws the pictures without a display and writes them.
+PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
+                              const std::vector<PictureName>& pictures);
 
 }  // namespace brewster

@@ -197,8 +197,14 @@ std::string solve_report(const SolveResult& result) {
     return text_of(solve_object(result));
 }
 
-std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures) {
-    return text_of({{"pictures", picture_list(pictures)}, {"exposure", exposure}, {"solve", solve_object(result)}});
+std::string shot_report(const SolveResult& result, const PicturesResult& made,
+                        const std::vector<PictureName>& pictures) {
+    Json report = {{"pictures", picture_list(pictures)}, {"exposure", made.exposure}, {"solve", solve_object(result)}};
+    if (made.gather)
+        report["gather"] = {{"draws", made.gather->draws},
+                            {"seconds", made.gather->seconds},
+                            {"coarse_share", made.gather->coarse_share}};
+    return text_of(report);
 }
 
 std::string info_report(const Scene& scene) {

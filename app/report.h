@@ -5,6 +5,7 @@
 
 #include "app/ground_truth.h"
 #include "app/picture_names.h"
+#include "app/pictures.h"
 #include "base/fixed_point.h"
 #include "engine/engine.h"
 #include "image/compare.h"
@@ -42,7 +43,8 @@ std::string decimal(Wide number);
 /// One JSON object each, with a line break at its end. Units: seconds, bytes, lumens, metres; the ledger counts quanta,
 /// per band, as decimal text.
 std::string solve_report(const SolveResult& result);
-std::string shot_report(const SolveResult& result, double exposure, const std::vector<PictureName>& pictures);
+std::string shot_report(const SolveResult& result, const PicturesResult& made,
+                        const std::vector<PictureName>& pictures);
 std::string info_report(const Scene& scene);
 std::string reference_report(const ReferenceResult& result);
 std::string compare_report(const PictureDifference& difference);

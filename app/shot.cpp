@@ -21,10 +21,10 @@ void shot(Engine& engine, const ShotOptions& wished) {
     const Scene& scene = with_views ? *with_views : engine.scene();
     const std::vector<PictureName> pictures = plan_pictures(scene, options);
     if (options.solve.resume.empty()) trace(engine, options.solve.stop);
-    const float exposure = write_pictures(scene, engine.snapshot(), options, pictures);
+    const PicturesResult made = write_pictures(scene, engine.snapshot(), options, pictures);
 
     if (options.solve.json) {
-        print_result(shot_report(result_of(engine), exposure, pictures));
+        print_result(shot_report(result_of(engine), made, pictures));
     } else {
         std::string list;
         for (const PictureName& picture : pictures) list += picture.path + "\n";

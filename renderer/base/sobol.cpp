@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/owen.h"
 #include "base/philox.h"
 
 namespace brewster {
@@ -56,31 +57,6 @@ ByteTables byte_tables() {
                 for (unsigned bit = 0; bit < 8; ++bit)
                     if ((value >> bit) & 1u) tables[d][byte][value] ^= matrices[d][8 * byte + bit];
     return tables;
-}
-
-std::uint32_t reverse_bytes(std::uint32_t x) {
-    return __builtin_bswap32(x);
-}
-WordLanes reverse_bytes(WordLanes x) {
-    return (x >> 24) | ((x >> 8) & WordLanes(0xff00u)) | ((x & WordLanes(0xff00u)) << 8) | (x << 24);
-}
-
-template <class Word>
-Word reverse_bits(Word x) {
-    x = ((x >> 1) & Word(0x55555555u)) | ((x & Word(0x55555555u)) << 1);
-    x = ((x >> 2) & Word(0x33333333u)) | ((x & Word(0x33333333u)) << 2);
-    x = ((x >> 4) & Word(0x0f0f0f0fu)) | ((x & Word(0x0f0f0f0fu)) << 4);
-    return reverse_bytes(x);
-}
-
-// Each output bit depends on the lower input bits only: on reversed words that is an Owen scramble.
-template <class Word>
-Word permute_upwards(Word x, Word key) {
-    x = x ^ (x * Word(0x3d20adeau));
-    x = x + key;
-    x = x * ((key >> 16) | Word(1u));
-    x = x ^ (x * Word(0x05526c56u));
-    return x ^ (x * Word(0x53a22864u));
 }
 
 const ByteTables& tables() {

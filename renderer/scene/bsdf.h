@@ -337,7 +337,8 @@ template <class Real, std::size_t bands>
 struct LobeValue {
     std::array<PlanarMueller<Real>, bands> value;  ///< f, 1/sr, in light order; without the cosine
     Vector<Real> axis_in, axis_out;                ///< s axes of the light that comes and of that which leaves
-    Real pdf;  ///< density with which sample_bsdf takes this lobe into the direction it samples, 1/sr
+    Real pdf;  ///< density with which sample_bsdf (of evaluate_gloss: sample_gloss) takes this lobe into the direction
+               ///< it samples, 1/sr
 };
 
 template <class Real, std::size_t bands>
@@ -346,55 +347,78 @@ struct BsdfValue {
     bool has_gloss = false, has_base = false;  ///< the others are not filled in
 };
 
+/// A rough interface's gloss between light arriving along `light_in` and leaving along `light_out` (unit, both as the
+/// light travels): zero where either is not above the surface. `use`: whose direction is known; the density is that of
+/// sample_gloss, without any choice.
+template <Use use, std::size_t bands, class Real>
+LobeValue<Real, bands> evaluate_gloss(const PreparedMaterial& material, const Vector<Real>& light_in,
+                                      const Vector<Real>& light_out, const Vector<Real>& normal) {
+    using namespace bsdf_detail;
+    LobeValue<Real, bands> gloss;
+    const Vector<Real> i = -light_in, r = light_out;
+    const auto above = dot(i, normal) > constant<Real>(1e-6) && dot(r, normal) > constant<Real>(1e-6);
+    std::array<Real, bands> unit;
+    Real cos_h;
+    if (material.finish == Finish::beckmann) {
+        const BeckmannLobe<Real> lobe = beckmann_lobe(i, r, normal, Real(material.slope));
+        unit.fill(lobe.value);
+        gloss.pdf = use == Use::light ? lobe.pdf_i : lobe.pdf_r;
+        cos_h = lobe.cos_theta_h;
+    } else {
+        const PoissonLobe<Real, bands> lobe =
+            poisson_lobe(material.rules(), i, r, normal, material.kirchhoff<Real, bands>());
+        unit = lobe.value;
+        gloss.pdf = use == Use::light ? lobe.pdf_i : lobe.pdf_r;
+        cos_h = lobe.cos_theta_h;
+    }
+    gloss.value = reflection<bands>(material, min(cos_h, Real(1)));
+    for (std::size_t band = 0; band < bands; ++band)
+        gloss.value[band] = select(above, unit[band], Real(0)) * gloss.value[band];
+    gloss.pdf = select(above, gloss.pdf, Real(0));
+    gloss.axis_in = axis_across(light_in, light_out);
+    gloss.axis_out = axis_across(light_out, light_in);
+    return gloss;
+}
+
+/// The same of the base.
+template <Use use, std::size_t bands, class Real>
+LobeValue<Real, bands> evaluate_base(const PreparedMaterial& material, const Vector<Real>& light_in,
+                                     const Vector<Real>& light_out, const Vector<Real>& normal) {
+    using namespace bsdf_detail;
+    LobeValue<Real, bands> base;
+    const Real cos_i = dot(-light_in, normal), cos_r = dot(light_out, normal);
+    const auto above = cos_i > constant<Real>(1e-6) && cos_r > constant<Real>(1e-6);
+    const Real safe_i = select(above, min(cos_i, Real(1)), Real(1));
+    const Real safe_r = select(above, min(cos_r, Real(1)), Real(1));
+    const Real known = use == Use::light ? safe_i : safe_r, sampled = use == Use::light ? safe_r : safe_i;
+    base.value = base_value<bands>(material, safe_i, safe_r);
+    scale(base.value, select(above, Real(1), Real(0)));
+    base.pdf = select(above, base_probability<bands>(material, known) * sampled * constant<Real>(1 / pi), Real(0));
+    base.axis_in = axis_across(light_in, normal);
+    base.axis_out = axis_across(light_out, normal);
+    return base;
+}
+
 /// Everything that can be evaluated between light arriving along `light_in` and leaving along `light_out` (unit, both
 /// as the light travels): sharp lobes, having no value, are left out. Zero where either is not above the surface.
 /// `use`: whose direction is known; the densities are those of sampling the other one.
 template <Use use, std::size_t bands, class Real>
 BsdfValue<Real, bands> evaluate_bsdf(const PreparedMaterial& material, const Vector<Real>& light_in,
                                      const Vector<Real>& light_out, const Vector<Real>& normal) {
-    using namespace bsdf_detail;
     BsdfValue<Real, bands> result;
-    const Vector<Real> i = -light_in, r = light_out;
-    const Real cos_i = dot(i, normal), cos_r = dot(r, normal);
-    const auto above = cos_i > constant<Real>(1e-6) && cos_r > constant<Real>(1e-6);
-    const Real safe_i = select(above, min(cos_i, Real(1)), Real(1));
-    const Real safe_r = select(above, min(cos_r, Real(1)), Real(1));
-    const Real known = use == Use::light ? safe_i : safe_r, sampled = use == Use::light ? safe_r : safe_i;
-
     result.has_gloss = material.rough();
     if (result.has_gloss) {
-        LobeValue<Real, bands>& gloss = result.gloss;
-        std::array<Real, bands> unit;
-        Real cos_h;
-        if (material.finish == Finish::beckmann) {
-            const BeckmannLobe<Real> lobe = beckmann_lobe(i, r, normal, Real(material.slope));
-            unit.fill(lobe.value);
-            gloss.pdf = use == Use::light ? lobe.pdf_i : lobe.pdf_r;
-            cos_h = lobe.cos_theta_h;
-        } else {
-            const PoissonLobe<Real, bands> lobe =
-                poisson_lobe(material.rules(), i, r, normal, material.kirchhoff<Real, bands>());
-            unit = lobe.value;
-            gloss.pdf = use == Use::light ? lobe.pdf_i : lobe.pdf_r;
-            cos_h = lobe.cos_theta_h;
+        result.gloss = evaluate_gloss<use, bands>(material, light_in, light_out, normal);
+        if (material.diffuse()) {
+            // Of sample_bsdf, which takes the facet it has drawn with the probability of its weight.
+            const Real sampled = use == Use::light ? dot(light_out, normal) : dot(-light_in, normal);
+            const auto above = result.gloss.pdf > 0;
+            result.gloss.pdf =
+                select(above, bsdf_detail::band_mean(result.gloss.value) * min(sampled, Real(1)), Real(0));
         }
-        gloss.value = reflection<bands>(material, min(cos_h, Real(1)));
-        for (std::size_t band = 0; band < bands; ++band)
-            gloss.value[band] = select(above, unit[band], Real(0)) * gloss.value[band];
-        if (material.diffuse()) gloss.pdf = band_mean(gloss.value) * sampled;
-        gloss.pdf = select(above, gloss.pdf, Real(0));
-        gloss.axis_in = axis_across(light_in, light_out);
-        gloss.axis_out = axis_across(light_out, light_in);
     }
     result.has_base = material.diffuse();
-    if (result.has_base) {
-        LobeValue<Real, bands>& base = result.base;
-        base.value = base_value<bands>(material, safe_i, safe_r);
-        scale(base.value, select(above, Real(1), Real(0)));
-        base.pdf = select(above, base_probability<bands>(material, known) * sampled * constant<Real>(1 / pi), Real(0));
-        base.axis_in = axis_across(light_in, normal);
-        base.axis_out = axis_across(light_out, normal);
-    }
+    if (result.has_base) result.base = evaluate_base<use, bands>(material, light_in, light_out, normal);
     return result;
 }
 

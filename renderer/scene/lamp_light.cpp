@@ -82,7 +82,18 @@ LampLights::LampLights(const Scene& scene) : scene_(scene), lamp_of_chart_(scene
 }
 
 std::optional<LampLight> LampLights::sample(const Vector<double>& point, double choice, double u, double v) const {
-    const std::size_t index = index_of(cumulative_, choice);
+    return sample_lamp(index_of(cumulative_, choice), point, u, v);
+}
+
+std::optional<LampLight> LampLights::sample(const Vector<double>& point, double u, double v) const {
+    const std::size_t lamp = index_of(cumulative_, u);
+    const double before = lamp > 0 ? cumulative_[lamp - 1] : 0;
+    constexpr double below_one = 1 - 0x1p-53;
+    return sample_lamp(lamp, point, std::min((u - before) / (cumulative_[lamp] - before), below_one), v);
+}
+
+std::optional<LampLight> LampLights::sample_lamp(std::size_t index, const Vector<double>& point, double u,
+                                                 double v) const {
     const Lamp& lamp = scene_.lamps[index];
     LampLight light;
     light.lamp = static_cast<std::uint32_t>(index);

@@ -29,6 +29,10 @@ class LampLights {
     /// disc. None where the point is behind the lamp or outside its cone.
     std::optional<LampLight> sample(const Vector<double>& point, double choice, double u, double v) const;
 
+    /// The same, where u chooses the lamp too and goes on with what the choice leaves of it: evenly spread pairs (u, v)
+    /// then are evenly spread over all lamps.
+    std::optional<LampLight> sample(const Vector<double>& point, double u, double v) const;
+
     /// The density with which `sample` finds the point of an area lamp that lies in `direction` at this distance, 1/sr.
     /// `normal`: unit, of the lamp there. Zero if the chart is no lamp or turns its back.
     double pdf_of_area(std::uint32_t chart, const Vector<double>& normal, const Vector<double>& direction,
@@ -42,6 +46,7 @@ class LampLights {
     }
 
   private:
+    std::optional<LampLight> sample_lamp(std::size_t lamp, const Vector<double>& point, double u, double v) const;
     std::optional<LampLight> disc_seen(std::uint32_t lamp, const Vector<double>& direction) const;
 
     const Scene& scene_;

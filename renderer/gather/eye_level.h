@@ -1,0 +1,99 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/units.h"
+#include "gather/eye_scene.h"
+#include "optics/frame.h"
+#include "optics/planar_mueller.h"
+
+namespace brewster {
+
+inline constexpr std::size_t eye_batch = 512;  ///< draws that go through the stages together
+
+/// So many floats for each ray of a batch, structure of arrays.
+template <std::size_t rows>
+using Rows = std::array<std::array<float, eye_batch>, rows>;
+
+template <class Real>
+Vector<Real> load_vector(const Rows<3>& rows, std::size_t i) {
+    return {load<Real>(&rows[0][i]), load<Real>(&rows[1][i]), load<Real>(&rows[2][i])};
+}
+template <class Real>
+void store_vector(const Vector<Real>& v, Rows<3>& rows, std::size_t i) {
+    store(v.x, &rows[0][i]);
+    store(v.y, &rows[1][i]);
+    store(v.z, &rows[2][i]);
+}
+inline Vector<float> eye_vector(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+inline glm::vec3 eye_coordinates(const Vector<float>& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// A ray under way from the eye, against the light.
+struct Segment {
+    Ray ray;
+    Vector<float> axis{};      ///< the x axis of light that comes along the ray; unit, orthogonal to it
+    float pdf = 0;             ///< of its direction by the lobe that sent it, 1/sr; 0: mirror, refraction or the camera
+    float throughput = 1;      ///< at most this share of its light reaches the camera
+    std::uint32_t draw = 0;    ///< in the batch
+    std::uint32_t parent = 0;  ///< in the level before; at first the draw
+    std::uint8_t rough = 0, sharp = 0;  ///< events so far
+};
+
+/// Light along the rays of a level, cd/m2, both worlds, in the frames of the rays' axes; and standard errors that the
+/// bins it was read from lend it.
+struct LevelLight {
+    Rows<12> stokes;                      ///< component * 3 + band; polarized world
+    Rows<3> unpolarized;                  ///< S0 of the other world
+    Rows<3> error;                        ///< of S0
+    Rows<3> polarized_error;              ///< of each of S1, S2, S3
+    Rows<3> unpolarized_error;            ///< of the other world's S0
+    std::array<float, eye_batch> coarse;  ///< band mean of the unpolarized world's light that came from bins of gloss
+
+    void clear(std::size_t size);
+};
+
+/// Entries of one material and side, next to each other.
+struct Group {
+    std::uint32_t material = 0;
+    bool inside = false;
+    std::uint32_t first = 0, end = 0;
+};
+
+/// All rays of one depth, with what they have met and the light that comes along them. Those that have met a surface
+/// stand in groups, the others (in the open, on a back that absorbs) behind the last group.
+struct Level {
+    std::uint32_t size = 0;
+    std::vector<Group> groups;
+
+    std::array<std::uint32_t, eye_batch> parent, draw, chart, triangle, u, v;
+    std::array<std::uint8_t, eye_batch> sharp_events;
+    std::array<float, eye_batch> rough_events, throughput;
+    std::array<float, eye_batch> reads_direct;  ///< 1 where the bins tell direct light, too; 0 where shadow rays do
+    Rows<3> direction, axis, position, normal, shading_normal;
+    Rows<3> tint;         ///< what the base's light is multiplied by; of coloured scenes only
+    Rows<3> filter_axis;  ///< of filter sheets only
+
+    LevelLight light;
+
+    // The event that links a ray to the next: light from there meets `event`, then is turned into this ray's frame.
+    std::array<float, eye_batch> turn_cos, turn_sin;
+    Rows<18> event;  ///< six elements of a PlanarMueller for each band
+
+    template <class Real>
+    PlanarMueller<Real> event_at(std::size_t band, std::size_t i) const {
+        const auto row = [&](std::size_t k) { return load<Real>(&event[6 * band + k][i]); };
+        return {row(0), row(1), row(2), row(3), row(4), row(5)};
+    }
+    template <class Real>
+    void set_event(std::size_t band, std::size_t i, const PlanarMueller<Real>& m) {
+        const std::array<Real, 6> elements = {m.m00, m.m01, m.m10, m.m11, m.c, m.d};
+        for (std::size_t k = 0; k < 6; ++k) store(elements[k], &event[6 * band + k][i]);
+    }
+};
+
+}  // namespace brewster

@@ -1,0 +1,399 @@
+#include "gather/eye_tracer.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "base/check.h"
+#include "gather/shade.h"
+#include "scene/albedo.h"
+#include "scene/filter_axis.h"
+#include "scene/vectors.h"
+
+namespace brewster {
+namespace {
+
+constexpr int most_backs = 256;  // more than that, and it is one surface met again and again by rounding
+/// Relative; positions are floats, and hits are pulled 1e-6 of a chart's size inside its edges.
+constexpr float same_distance = 1e-4f;
+
+Vector<double> double_vector(const Vector<float>& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+Vector<float> single_vector(const Vector<double>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+}  // namespace
+
+void LevelLight::clear(std::size_t size) {
+    const auto zero = [&](auto& rows) {
+        for (auto& row : rows) std::fill_n(row.begin(), size, 0.0f);
+    };
+    zero(stokes);
+    zero(unpolarized);
+    zero(error);
+    zero(polarized_error);
+    zero(unpolarized_error);
+    std::fill_n(coarse.begin(), size, 0.0f);
+}
+
+struct EyeTracer::Storage {
+    Level& level(std::size_t depth) {
+        while (levels.size() <= depth) levels.push_back(std::make_unique<Level>());
+        return *levels[depth];
+    }
+
+    std::vector<std::unique_ptr<Level>> levels;
+    std::vector<Segment> segments, next_segments;
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    std::vector<std::uint32_t> order, shadowed;
+    Entered entered;
+    LampSamples lamps;
+    Onwards onwards;
+    EventNumbers numbers;
+};
+
+template <int components>
+class EyeTracer::Batch {
+  public:
+    Batch(const EyeScene& scene, const Snapshot& bins, std::span<const Draw> draws, Storage& storage)
+        : scene_(scene), bins_(bins), draws_(draws), s_(storage) {}
+
+    void start(const Camera& camera, int width, int height) {
+        s_.segments.clear();
+        for (std::uint32_t i = 0; i < draws_.size(); ++i) {
+            const NumberPair place = draws_[i].numbers.place();
+            Segment segment;
+            segment.ray.origin = camera.position;
+            segment.ray.direction = ray_direction(camera, width, height, static_cast<float>(draws_[i].column) + place.x,
+                                                  static_cast<float>(draws_[i].row) + place.y);
+            segment.axis = normalized(cross(eye_vector(segment.ray.direction), eye_vector(camera.up)));
+            segment.draw = segment.parent = i;
+            s_.segments.push_back(segment);
+        }
+    }
+
+    /// Takes the segments to a level; what follows them becomes the next segments.
+    void take(std::size_t depth) {
+        Level& level = s_.level(depth);
+        meet(level, depth == 0);
+        s_.next_segments.clear();
+        for (const Group& group : level.groups) {
+            const PreparedMaterial& material = scene_.materials[group.material];
+            if (material.diffuse()) light_from_bins(material, level, group);
+        }
+        light_from_lamps(level, static_cast<std::uint32_t>(depth));
+        for (const Group& group : level.groups) go_on_from(level, group, static_cast<std::uint32_t>(depth));
+        s_.segments.swap(s_.next_segments);
+    }
+
+    bool done() const { return s_.segments.empty(); }
+
+    void bring_back_from(std::size_t depth) {
+        const Level& next = s_.level(depth);
+        for (std::uint32_t k = 0; k < next.size; ++k)
+            bring_back<components>(next.light, k, s_.level(depth - 1), next.parent[k]);
+    }
+
+    void hand_over(LevelLight& seen) const {
+        const Level& first = s_.level(0);
+        const auto put = [&](const auto& from, auto& to) {
+            for (std::size_t row = 0; row < from.size(); ++row)
+                for (std::uint32_t k = 0; k < first.size; ++k) to[row][first.parent[k]] = from[row][k];
+        };
+        put(first.light.stokes, seen.stokes);
+        put(first.light.unpolarized, seen.unpolarized);
+        put(first.light.error, seen.error);
+        put(first.light.polarized_error, seen.polarized_error);
+        put(first.light.unpolarized_error, seen.unpolarized_error);
+        for (std::uint32_t k = 0; k < first.size; ++k) seen.coarse[first.parent[k]] = first.light.coarse[k];
+    }
+
+  private:
+    // Calls shade<FloatLanes>(i) for each eight entries of a group, shade<float>(i) for the rest: the same bits.
+    template <class Shade>
+    static void over(const Group& group, const Shade& shade) {
+        std::uint32_t i = group.first;
+        for (; i + lane_count <= group.end; i += lane_count) shade.template operator()<FloatLanes>(i);
+        for (; i < group.end; ++i) shade.template operator()<float>(i);
+    }
+
+    void meet(Level& level, bool first_look) {
+        const std::vector<Segment>& segments = s_.segments;
+        s_.rays.clear();
+        for (const Segment& segment : segments) s_.rays.push_back(segment.ray);
+        s_.hits.resize(segments.size());
+        scene_.rays.intersect(s_.rays, s_.hits);
+        if (first_look) look_past_backs();
+
+        level.size = static_cast<std::uint32_t>(segments.size());
+        sort(level);
+        level.light.clear(level.size);
+        const Scene& scene = scene_.scene;
+        for (std::uint32_t i = 0; i < level.size; ++i) {
+            const Segment& segment = segments[s_.order[i]];
+            const Hit& hit = s_.hits[s_.order[i]];
+            level.parent[i] = segment.parent;
+            level.draw[i] = segment.draw;
+            level.rough_events[i] = segment.rough;
+            level.sharp_events[i] = segment.sharp;
+            level.throughput[i] = segment.throughput;
+            level.reads_direct[i] = segment.rough > 0 || ends_in_bins(level, i) ? 1.0f : 0.0f;
+            store_vector(eye_vector(segment.ray.direction), level.direction, i);
+            store_vector(segment.axis, level.axis, i);
+            if (hit.chart == no_chart) {
+                if (hit.escaped()) add_discs(segment, level.light, i);
+                continue;
+            }
+            level.chart[i] = hit.chart;
+            level.triangle[i] = hit.triangle;
+            level.u[i] = hit.u;
+            level.v[i] = hit.v;
+            store_vector(eye_vector(hit.position), level.position, i);
+            store_vector(eye_vector(hit.normal), level.normal, i);
+            store_vector(eye_vector(hit.shading_normal), level.shading_normal, i);
+            const PreparedMaterial& material = scene_.materials[scene.charts[hit.chart].material];
+            if (material.emission != glm::vec3(0.0f)) add_emission(segment, hit, material, level.light, i);
+            if (material.filter != FilterKind::none)
+                store_vector(single_vector(filter_axis(material, scene.charts[hit.chart])), level.filter_axis, i);
+            if (scene_.coloured && material.diffuse()) {
+                const glm::vec4 tint = tint_at(scene, hit.triangle, hit.b1, hit.b2);
+                for (std::size_t band = 0; band < band_count; ++band)
+                    level.tint[band][i] = material.tinted_base(band, tint[static_cast<int>(band)]);
+            }
+        }
+    }
+
+    // The eye's own first segment passes through the backs of single-sided surfaces.
+    void look_past_backs() {
+        for (std::size_t i = 0; i < s_.hits.size(); ++i) {
+            Ray ray = s_.rays[i];
+            for (int back = 0; back < most_backs && !s_.hits[i].escaped() && s_.hits[i].chart == no_chart; ++back) {
+                ray.origin = s_.hits[i].position;
+                ray.leaving = s_.hits[i].triangle;
+                scene_.rays.intersect(std::span(&ray, 1), std::span(&s_.hits[i], 1));
+            }
+        }
+    }
+
+    // Entries of one material and side come together, in the order of the segments; those without a surface last.
+    void sort(Level& level) {
+        const Scene& scene = scene_.scene;
+        const std::size_t kinds = 2 * scene_.materials.size() + 1;
+        const auto kind_of = [&](std::uint32_t segment) {
+            const Hit& hit = s_.hits[segment];
+            if (hit.chart == no_chart) return kinds - 1;
+            const glm::vec3& d = s_.segments[segment].ray.direction;
+            if (!(-glm::dot(d, hit.shading_normal) > 1e-6f)) return kinds - 1;
+            const std::uint32_t index = scene.charts[hit.chart].material;
+            const PreparedMaterial& material = scene_.materials[index];
+            const bool inside = material.base == Base::transparent && !material.thin &&
+                                hit.chart == scene.triangles[hit.triangle].back_chart;
+            return 2 * static_cast<std::size_t>(index) + (inside ? 1 : 0);
+        };
+        kinds_.resize(level.size);
+        counts_.assign(kinds + 1, 0);
+        for (std::uint32_t i = 0; i < level.size; ++i) {
+            kinds_[i] = static_cast<std::uint32_t>(kind_of(i));
+            ++counts_[kinds_[i] + 1];
+        }
+        for (std::size_t k = 0; k < kinds; ++k) counts_[k + 1] += counts_[k];
+        level.groups.clear();
+        for (std::uint32_t k = 0; k + 1 < kinds; ++k)
+            if (counts_[k + 1] > counts_[k]) level.groups.push_back({k / 2, k % 2 == 1, counts_[k], counts_[k + 1]});
+        s_.order.resize(level.size);
+        for (std::uint32_t i = 0; i < level.size; ++i) s_.order[counts_[kinds_[i]]++] = i;
+    }
+
+    void add_emission(const Segment& segment, const Hit& hit, const PreparedMaterial& material, LevelLight& light,
+                      std::uint32_t i) const {
+        float weight = 1;
+        if (segment.pdf > 0) {
+            const double pdf = scene_.lamps.pdf_of_area(
+                hit.chart, vector_of(hit.normal), vector_of(segment.ray.direction), static_cast<double>(hit.distance));
+            weight = heuristic_share(segment.pdf, static_cast<float>(pdf));
+        }
+        for (std::size_t band = 0; band < band_count; ++band) {
+            const float radiance = weight * material.emission[static_cast<int>(band)];
+            light.stokes[band][i] += radiance;
+            light.unpolarized[band][i] += radiance;
+        }
+    }
+
+    void add_discs(const Segment& segment, LevelLight& light, std::uint32_t i) const {
+        const Vector<double> direction = vector_of(segment.ray.direction);
+        scene_.lamps.discs_seen(direction, [&](const LampLight& seen) {
+            const Lamp& lamp = scene_.scene.lamps[seen.lamp];
+            const float weight = segment.pdf > 0 ? heuristic_share(segment.pdf, static_cast<float>(seen.pdf)) : 1.0f;
+            const Vector<double> light_in = -direction;
+            const auto turn = rotation_between(light_in, lamp_axis(lamp, light_in), double_vector(segment.axis));
+            const Stokes<double, components> state = rotate(turn, lamp_state<components>(lamp));
+            for (std::size_t band = 0; band < band_count; ++band) {
+                const float radiance = weight * static_cast<float>(seen.radiance[static_cast<int>(band)]);
+                for (std::size_t j = 0; j < components; ++j)
+                    light.stokes[3 * j + band][i] += radiance * static_cast<float>(state[static_cast<int>(j)]);
+                light.unpolarized[band][i] += radiance;
+            }
+        });
+    }
+
+    void light_from_bins(const PreparedMaterial& material, Level& level, const Group& group) {
+        read_entered(bins_, level, group.first, group.end, s_.entered);
+        over(group, [&]<class Real>(std::uint32_t i) {
+            add_base<components, Real>(material, scene_.coloured, s_.entered, level, i);
+        });
+    }
+
+    bool ends_in_bins(const Level& level, std::uint32_t i) const {
+        return level.rough_events[i] >= most_rough_events || level.sharp_events[i] >= most_sharp_events;
+    }
+
+    void light_from_lamps(Level& level, std::uint32_t vertex) {
+        if (!scene_.lamps.any()) return;
+        s_.rays.clear();
+        s_.shadowed.clear();
+        for (const Group& group : level.groups) {
+            const PreparedMaterial& material = scene_.materials[group.material];
+            if (material.sharp()) continue;
+            for (std::uint32_t i = group.first; i < group.end; ++i) {
+                const bool wanted =
+                    (material.diffuse() && level.reads_direct[i] == 0) || (material.rough() && !ends_in_bins(level, i));
+                if (!wanted || !sample_lamp(level, vertex, i)) no_lamp(i);
+            }
+            over(group, [&]<class Real>(std::uint32_t i) {
+                light_by_lamps<components, Real>(material, scene_.coloured, scene_.polarized_lamps, level, s_.lamps, i);
+            });
+            for (std::uint32_t i = group.first; i < group.end; ++i) {
+                float brightest = 0;
+                for (std::size_t band = 0; band < band_count; ++band)
+                    brightest = std::max(brightest, s_.lamps.unpolarized[band][i]);
+                if (!(brightest > 0)) continue;
+                s_.rays.push_back({eye_coordinates(load_vector<float>(level.position, i)),
+                                   eye_coordinates(load_vector<float>(s_.lamps.direction, i)), level.triangle[i]});
+                s_.shadowed.push_back(i);
+            }
+        }
+        s_.hits.resize(s_.rays.size());
+        scene_.rays.intersect(s_.rays, s_.hits);
+        for (std::size_t k = 0; k < s_.shadowed.size(); ++k)
+            if (reaches(s_.hits[k], s_.shadowed[k])) add_lamp_light(level.light, s_.shadowed[k]);
+    }
+
+    void no_lamp(std::uint32_t i) {
+        store_vector(Vector<float>{0, 0, 1}, s_.lamps.direction, i);
+        for (auto& row : s_.lamps.radiance) row[i] = 0;
+        s_.lamps.pdf[i] = 0;
+        store_vector(Vector<float>{0, 0, 0}, s_.lamps.state, i);
+        store_vector(Vector<float>{1, 0, 0}, s_.lamps.axis, i);
+    }
+
+    bool sample_lamp(const Level& level, std::uint32_t vertex, std::uint32_t i) {
+        const NumberPair place = draws_[level.draw[i]].numbers.lamp(vertex);
+        const auto light = scene_.lamps.sample(double_vector(load_vector<float>(level.position, i)),
+                                               static_cast<double>(place.x), static_cast<double>(place.y));
+        if (!light) return false;
+        const Vector<float> direction = single_vector(light->direction);
+        if (!(dot(direction, load_vector<float>(level.normal, i)) > 0) ||
+            !(dot(direction, load_vector<float>(level.shading_normal, i)) > 0))
+            return false;
+        LampSamples& lamps = s_.lamps;
+        store_vector(direction, lamps.direction, i);
+        const double density = light->pdf > 0 ? light->pdf : light->choice;
+        for (std::size_t band = 0; band < band_count; ++band)
+            lamps.radiance[band][i] = static_cast<float>(light->radiance[static_cast<int>(band)] / density);
+        lamps.pdf[i] = static_cast<float>(light->pdf);
+        lamps.distance[i] = static_cast<float>(light->distance);
+        lamps.lamp[i] = light->lamp;
+        if (scene_.polarized_lamps) {
+            const Lamp& lamp = scene_.scene.lamps[light->lamp];
+            store_vector(eye_vector(lamp.polarization), lamps.state, i);
+            store_vector(single_vector(lamp_axis(lamp, -light->direction)), lamps.axis, i);
+        }
+        return true;
+    }
+
+    // Whether a shadow ray that met `hit` has found its lamp.
+    bool reaches(const Hit& hit, std::uint32_t i) const {
+        const Lamp& lamp = scene_.scene.lamps[s_.lamps.lamp[i]];
+        if (hit.escaped()) return lamp.kind != LampKind::area;
+        const float distance = s_.lamps.distance[i];
+        if (lamp.kind == LampKind::area)
+            return hit.chart == lamp.chart &&
+                   std::abs(hit.distance - distance) < same_distance * (distance + hit.distance);
+        return hit.distance > distance;
+    }
+
+    void add_lamp_light(LevelLight& light, std::uint32_t i) const {
+        for (std::size_t row = 0; row < 3 * components; ++row) light.stokes[row][i] += s_.lamps.stokes[row][i];
+        if (components > 1)
+            for (std::size_t band = 0; band < band_count; ++band)
+                light.unpolarized[band][i] += s_.lamps.unpolarized[band][i];
+    }
+
+    void go_on_from(Level& level, const Group& group, std::uint32_t vertex) {
+        const PreparedMaterial& material = scene_.materials[group.material];
+        const bool transparent = material.base == Base::transparent;
+        if (!transparent && !material.reflects()) return;
+        for (std::uint32_t i = group.first; i < group.end; ++i) {
+            const EyeNumbers& drawn = draws_[level.draw[i]].numbers;
+            const NumberPair facet = drawn.facet(vertex), choices = drawn.choices(vertex);
+            s_.numbers.facet_u[i] = facet.x;
+            s_.numbers.facet_v[i] = facet.y;
+            s_.numbers.choice[i] = choices.x;
+            s_.numbers.slope[i] = choices.y;
+        }
+        over(group, [&]<class Real>(std::uint32_t i) {
+            go_on<Real>(material, group.inside, s_.numbers, level, s_.onwards, i);
+        });
+        for (std::uint32_t i = group.first; i < group.end; ++i) {
+            if (transparent) {
+                if (level.sharp_events[i] >= most_events_of_glass) continue;
+            } else if (ends_in_bins(level, i)) {
+                add_gloss_of_bins<components>(scene_.scene, bins_, level, i);
+                continue;
+            }
+            const float throughput = level.throughput[i] * s_.onwards.share[i];
+            if (!(throughput > 0)) continue;
+            Segment next;
+            next.ray = {eye_coordinates(load_vector<float>(level.position, i)),
+                        eye_coordinates(load_vector<float>(s_.onwards.direction, i)), level.triangle[i]};
+            next.axis = load_vector<float>(s_.onwards.axis, i);
+            next.throughput = throughput;
+            next.pdf = s_.onwards.pdf[i];
+            next.draw = level.draw[i];
+            next.parent = i;
+            const bool sharp = s_.onwards.sharp[i] > 0;
+            next.rough = static_cast<std::uint8_t>(static_cast<int>(level.rough_events[i]) + (sharp ? 0 : 1));
+            next.sharp = static_cast<std::uint8_t>(level.sharp_events[i] + (sharp ? 1 : 0));
+            s_.next_segments.push_back(next);
+        }
+    }
+
+    const EyeScene& scene_;
+    const Snapshot& bins_;
+    const std::span<const Draw> draws_;
+    Storage& s_;
+    std::vector<std::uint32_t> kinds_, counts_;
+};
+
+EyeTracer::EyeTracer() : storage_(std::make_unique<Storage>()) {}
+EyeTracer::~EyeTracer() = default;
+
+void EyeTracer::trace(const EyeScene& scene, const Snapshot& bins, const Camera& camera, int width, int height,
+                      std::span<const Draw> draws, LevelLight& seen) {
+    BREWSTER_CHECK(draws.size() <= eye_batch, std::to_string(draws.size()));
+    const auto run = [&](auto batch) {
+        batch.start(camera, width, height);
+        std::size_t depth = 0;
+        for (; !batch.done(); ++depth) batch.take(depth);
+        for (std::size_t d = depth; d-- > 1;) batch.bring_back_from(d);
+        batch.hand_over(seen);
+    };
+    if (scene.components == 1)
+        run(Batch<1>(scene, bins, draws, *storage_));
+    else
+        run(Batch<4>(scene, bins, draws, *storage_));
+}
+
+}  // namespace brewster

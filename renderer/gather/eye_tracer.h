@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+#include <span>
+
+#include "bins/snapshot.h"
+#include "gather/eye_level.h"
+#include "gather/eye_numbers.h"
+#include "scene/camera.h"
+
+namespace brewster {
+
+/// One look through a pixel.
+struct Draw {
+    std::uint16_t column = 0, row = 0;
+    EyeNumbers numbers;
+};
+
+/// Follows rays from the eye until they end in the bins, a batch of draws at a time: direct light by shadow rays,
+/// indirect light from the bins; one ray for the gloss of any width, with multiple importance sampling against the
+/// lamps; mirrors and refraction. What a rough lobe meets is read from the bins, direct and indirect. One per thread.
+/// What a draw sees depends on its numbers alone, not on the others of its batch. What it never finds: the gloss of a lamp
+/// without extent that shines there by way of glass or a mirror.
+class EyeTracer {
+  public:
+    /// Then the bins of gloss.
+    static constexpr int most_rough_events = 3, most_sharp_events = 8;
+    /// Then nothing: light goes to and fro in a body of glass, whose skin has no bins.
+    static constexpr int most_events_of_glass = 32;
+
+    EyeTracer();
+    ~EyeTracer();
+
+    /// At most eye_batch draws.
+    void trace(const EyeScene& scene, const Snapshot& bins, const Camera& camera, int width, int height,
+               std::span<const Draw> draws, LevelLight& seen);
+
+  private:
+    template <int components>
+    class Batch;
+    struct Storage;
+    std::unique_ptr<Storage> storage_;
+};
+
+}  // namespace brewster

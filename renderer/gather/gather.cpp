@@ -1,0 +1,134 @@
+#include "gather/gather.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "base/check.h"
+
+namespace brewster {
+namespace {
+
+constexpr int tile_side = 16;  // pixels
+
+bool same_view(const Camera& a, const Camera& b) {
+    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
+           a.vertical_field_of_view == b.vertical_field_of_view;
+}
+
+}  // namespace
+
+Gather::Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed) : scene_(std::move(scene)), seed_(seed) {}
+
+void Gather::show(std::shared_ptr<const Snapshot> bins) {
+    BREWSTER_CHECK(bins && bins->charts.size() == scene_->scene.charts.size(), scene_->scene.name);
+    const bool other_solution = bins_ && bins->photons < bins_->photons;
+    bins_ = std::move(bins);
+    if (other_solution || bins_->photons / 2 > first_photons_) forget();
+}
+
+void Gather::look(const Camera& camera, int width, int height) {
+    BREWSTER_CHECK(width > 0 && height > 0 && width < (1 << 16) && height < (1 << 16),
+                   std::to_string(width) + " x " + std::to_string(height));
+    const bool same = width == width_ && height == height_ && same_view(camera, camera_);
+    camera_ = camera;
+    width_ = width;
+    height_ = height;
+    if (!same) forget();
+}
+
+void Gather::forget() {
+    pixels_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), {});
+    importance_.clear();
+    first_photons_ = bins_ ? bins_->photons : 0;
+}
+
+bool Gather::draw(std::uint32_t mean_draws, unsigned threads, const StopAsked& stop) {
+    BREWSTER_CHECK(bins_ && width_ > 0, "show and look first");
+    if (mean_draws < 2 * pilot_draws)
+        return draw_to(std::vector<std::uint32_t>(pixels_.size(), mean_draws), threads, stop);
+    if (importance_.empty()) {
+        if (!draw_to(std::vector<std::uint32_t>(pixels_.size(), pilot_draws), threads, stop)) return false;
+        importance_ = importance_of(pixels_, width_, height_);
+    }
+    return draw_to(shared_out_draws(importance_, pilot_draws, mean_draws), threads, stop);
+}
+
+bool Gather::draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads, const StopAsked& stop) {
+    const int columns = (width_ + tile_side - 1) / tile_side, rows = (height_ + tile_side - 1) / tile_side;
+    while (tracers_.size() < threads) tracers_.push_back(std::make_unique<EyeTracer>());
+    std::atomic<int> next = 0;
+    const auto work = [&](unsigned thread) {
+        for (int tile = next++; tile < columns * rows && !stop(); tile = next++)
+            draw_tile(*tracers_[thread], tile, wanted, stop);
+    };
+    {
+        std::vector<std::jthread> helpers;
+        for (unsigned thread = 1; thread < threads; ++thread) helpers.emplace_back(work, thread);
+        work(0);
+    }
+    return !stop();
+}
+
+void Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint32_t>& wanted, const StopAsked& stop) {
+    struct Share {
+        std::size_t pixel, first, count;
+    };
+    std::vector<Draw> draws;
+    std::vector<Share> shares;
+    const auto seen = std::make_unique<LevelLight>();
+    const auto flush = [&] {
+        tracer.trace(*scene_, *bins_, camera_, width_, height_, draws, *seen);
+        for (const Share& share : shares)
+            add_draws(*seen, scene_->components, share.first, share.count, pixels_[share.pixel]);
+        draws.clear();
+        shares.clear();
+    };
+    const int columns = (width_ + tile_side - 1) / tile_side;
+    const int left = tile % columns * tile_side, top = tile / columns * tile_side;
+    for (int row = top; row < std::min(top + tile_side, height_); ++row) {
+        for (int column = left; column < std::min(left + tile_side, width_); ++column) {
+            const std::size_t pixel =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
+            std::uint32_t next = pixels_[pixel].draws;
+            const auto key = [&](std::uint32_t replica) {
+                return sequence_key(seed_, static_cast<std::uint32_t>(pixel), replica);
+            };
+            const std::array<std::uint32_t, 2> keys = {key(0), key(1)};
+            while (next < wanted[pixel]) {
+                shares.push_back({pixel, draws.size(), 0});
+                for (; next < wanted[pixel] && draws.size() < eye_batch; ++next, ++shares.back().count)
+                    draws.push_back({static_cast<std::uint16_t>(column),
+                                     static_cast<std::uint16_t>(row),
+                                     {keys[next % 2], next / 2}});
+                if (draws.size() < eye_batch) continue;
+                flush();
+                if (stop()) return;
+            }
+        }
+    }
+    if (!draws.empty()) flush();
+}
+
+double Gather::draws() const {
+    double sum = 0;
+    for (const PixelSum& pixel : pixels_) sum += pixel.draws;
+    return pixels_.empty() ? 0 : sum / static_cast<double>(pixels_.size());
+}
+
+StokesPicture Gather::picture() const {
+    return picture_of(pixels_, width_, height_);
+}
+
+double Gather::coarse_share() const {
+    double coarse = 0, all = 0;
+    for (const PixelSum& pixel : pixels_) {
+        if (pixel.draws == 0) continue;
+        coarse += static_cast<double>(pixel.coarse) / pixel.draws;
+        for (std::size_t band = 0; band < band_count; ++band)
+            all += static_cast<double>(pixel.mean(plane_values - band_count + band)) / band_count;
+    }
+    return all > 0 ? coarse / all : 0;
+}
+
+}  // namespace brewster

@@ -1,0 +1,200 @@
+#pragma once
+#include "gather/bin_light.h"
+#include "gather/eye_level.h"
+#include "scene/bsdf.h"
+
+/// What happens at the entries of a group, all of one material and side: one formula for a float and for lanes.
+namespace brewster {
+
+template <class Real>
+using Bands = std::array<PlanarMueller<Real>, band_count>;
+
+template <int components, class Real>
+void add_stokes(Rows<12>& rows, std::size_t band, std::size_t i, const Stokes<Real, components>& light) {
+    for (std::size_t j = 0; j < components; ++j) {
+        float* at = &rows[3 * j + band][i];
+        store(load<Real>(at) + light[static_cast<int>(j)], at);
+    }
+}
+template <class Real>
+void add(Rows<3>& rows, std::size_t band, std::size_t i, const Real& value) {
+    float* at = &rows[band][i];
+    store(load<Real>(at) + value, at);
+}
+/// Errors of independent causes.
+template <class Real>
+void add_error(Rows<3>& rows, std::size_t band, std::size_t i, const Real& error) {
+    float* at = &rows[band][i];
+    const Real before = load<Real>(at);
+    store(sqrt(fma(before, before, error * error)), at);
+}
+
+/// What the base sends back of the light that has entered it (theory 5; rough interface: 3.9).
+template <int components, class Real>
+void add_base(const PreparedMaterial& material, bool tinted, const Entered& entered, Level& level, std::size_t i) {
+    const Vector<Real> light_out = -load_vector<Real>(level.direction, i);
+    const Vector<Real> normal = load_vector<Real>(level.shading_normal, i);
+    const Real cosine = min(dot(light_out, normal), Real(1));
+    FrameRotation<Real> turn;
+    if (components > 1 && material.reflects())
+        turn = rotation_between(light_out, axis_across(light_out, normal), load_vector<Real>(level.axis, i));
+    LevelLight& light = level.light;
+    for (std::size_t band = 0; band < band_count; ++band) {
+        const Passage<Real> out = material.passage(band, cosine);
+        Real factor(material.base_factor[band]);
+        if (tinted) factor = factor * load<Real>(&level.tint[band][i]);
+        const Real whole = factor * out.unpolarized, polarized = factor * out.s_minus_p;
+        const Real on = load<Real>(&entered.value[0][band][i]);
+        const Real error = load<Real>(&entered.error[0][band][i]);
+        add_error(light.error, band, i, whole * error);
+        if constexpr (components == 1) {
+            add_stokes(light.stokes, band, i, Stokes<Real, 1>{{whole * on}});
+        } else {
+            const auto s = rotate(turn, stokes_of<components>(whole * on, polarized * on, Real(0), Real(0)));
+            add_stokes(light.stokes, band, i, s);
+            add_error(light.polarized_error, band, i, polarized * error);
+            add(light.unpolarized, band, i, whole * load<Real>(&entered.value[1][band][i]));
+            add_error(light.unpolarized_error, band, i, whole * load<Real>(&entered.error[1][band][i]));
+        }
+    }
+}
+
+/// Power heuristic: the share of the technique that drew the direction (Veach 1997).
+template <class Real>
+Real heuristic_share(const Real& own, const Real& other) {
+    return own * own / max(fma(own, own, other * other), constant<Real>(1e-30));
+}
+
+/// A point on a lamp for each entry, and what its light becomes there, before anything stands in its way.
+struct LampSamples {
+    Rows<3> direction;                      ///< unit, towards the lamp
+    Rows<3> radiance;                       ///< over the density of the direction; zero: none
+    std::array<float, eye_batch> pdf;       ///< of the direction, 1/sr; 0 of a lamp without extent
+    Rows<3> state, axis;                    ///< S1, S2, S3 over S0 and the axis they refer to; of polarized lamps only
+    std::array<float, eye_batch> distance;  ///< metres; infinite of a sun
+    std::array<std::uint32_t, eye_batch> lamp;
+    Rows<12> stokes;  ///< what reaches the entry's ray
+    Rows<3> unpolarized;
+};
+
+/// The lobes' light of the sampled lamps: of the base where its bins do not tell their light, and of the gloss.
+template <int components, class Real>
+void light_by_lamps(const PreparedMaterial& material, bool tinted, bool polarized_lamps, const Level& level,
+                    LampSamples& lamps, std::size_t i) {
+    const Vector<Real> light_in = -load_vector<Real>(lamps.direction, i);
+    const Vector<Real> light_out = -load_vector<Real>(level.direction, i);
+    const Vector<Real> normal = load_vector<Real>(level.shading_normal, i);
+    const Vector<Real> axis = load_vector<Real>(level.axis, i);
+    const Real cosine = max(-dot(light_in, normal), Real(0));
+    std::array<Stokes<Real, components>, band_count> sum{};
+    std::array<Real, band_count> unpolarized_sum{};
+    const auto see = [&](const LobeValue<Real, band_count>& lobe, const Real& weight, bool base) {
+        FrameRotation<Real> out, in;
+        if constexpr (components > 1) {
+            out = rotation_between(light_out, lobe.axis_out, axis);
+            if (polarized_lamps) in = rotation_between(light_in, load_vector<Real>(lamps.axis, i), lobe.axis_in);
+        }
+        for (std::size_t band = 0; band < band_count; ++band) {
+            Real incident = weight * cosine * load<Real>(&lamps.radiance[band][i]);
+            if (base && tinted) incident = incident * load<Real>(&level.tint[band][i]);
+            Stokes<Real, components> state = unpolarized<components>(Real(1));
+            if (components > 1 && polarized_lamps)
+                state =
+                    rotate(in, stokes_of<components>(Real(1), load<Real>(&lamps.state[0][i]),
+                                                     load<Real>(&lamps.state[1][i]), load<Real>(&lamps.state[2][i])));
+            sum[band] = sum[band] + incident * rotate(out, lobe.value[band] * state);
+            unpolarized_sum[band] = unpolarized_sum[band] + incident * lobe.value[band].m00;
+        }
+    };
+    if (material.diffuse()) {
+        const Real wanted = 1 - load<Real>(&level.reads_direct[i]);
+        see(evaluate_base<Use::eye, band_count>(material, light_in, light_out, normal), wanted, true);
+    }
+    if (material.rough()) {
+        const auto gloss = evaluate_gloss<Use::eye, band_count>(material, light_in, light_out, normal);
+        const Real pdf = load<Real>(&lamps.pdf[i]);
+        see(gloss, select(pdf > 0, heuristic_share(pdf, gloss.pdf), Real(1)), false);
+    }
+    for (std::size_t band = 0; band < band_count; ++band) {
+        for (std::size_t j = 0; j < components; ++j)
+            store(sum[band][static_cast<int>(j)], &lamps.stokes[3 * j + band][i]);
+        store(unpolarized_sum[band], &lamps.unpolarized[band][i]);
+    }
+}
+
+/// Where rays go on to.
+struct Onwards {
+    Rows<3> direction, axis;
+    std::array<float, eye_batch> pdf, share;  ///< share: the most that comes through of any light; 0: the path ends
+    std::array<float, eye_batch> sharp;       ///< 1 or 0
+};
+
+/// Numbers of the events of a level.
+struct EventNumbers {
+    std::array<float, eye_batch> facet_u, facet_v, choice, slope;
+};
+
+/// Samples where the interface's light comes from: mirror, refraction or one facet; the event goes into the level.
+template <class Real>
+void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& numbers, Level& level, Onwards& onwards,
+           std::size_t i) {
+    SurfacePoint<Real> at;
+    at.towards = -load_vector<Real>(level.direction, i);
+    at.carried_axis = load_vector<Real>(level.axis, i);
+    at.normal = load_vector<Real>(level.shading_normal, i);
+    at.inside = inside;
+    if (material.filter != FilterKind::none) at.filter_axis = load_vector<Real>(level.filter_axis, i);
+    ScatterNumbers<Real> drawn;
+    drawn.choice = drawn.facet_w = load<Real>(&numbers.choice[i]);
+    drawn.facet_u = load<Real>(&numbers.facet_u[i]);
+    drawn.facet_v = load<Real>(&numbers.facet_v[i]);
+    drawn.slope = load<Real>(&numbers.slope[i]);
+    const ScatterSample<Real, band_count> sample = material.base == Base::transparent
+                                                       ? sample_bsdf<Use::eye, band_count>(material, at, drawn)
+                                                       : sample_gloss<band_count>(material, at, drawn);
+    Real share(0);
+    for (std::size_t band = 0; band < band_count; ++band) {
+        level.set_event(band, i, sample.weight[band]);
+        share = max(share, sample.weight[band].m00 + abs(sample.weight[band].m01));
+    }
+    store(sample.turn.cos_2t, &level.turn_cos[i]);
+    store(sample.turn.sin_2t, &level.turn_sin[i]);
+    store_vector(sample.direction, onwards.direction, i);
+    store_vector(sample.axis, onwards.axis, i);
+    store(sample.pdf, &onwards.pdf[i]);
+    // A shading normal can point a ray to the wrong side of the facet; it is absorbed there.
+    const Real side = dot(sample.direction, load_vector<Real>(level.normal, i));
+    const auto right_side = (side > 0 && !sample.refracted) || (!(side > 0) && sample.refracted);
+    store(select(sample.alive && right_side, share, Real(0)), &onwards.share[i]);
+    store(select(sample.sharp, Real(1), Real(0)), &onwards.sharp[i]);
+}
+
+/// Brings what came along the next ray to entry i: by its event into the frame of its own ray.
+template <int components>
+void bring_back(const LevelLight& next, std::size_t k, Level& level, std::size_t i) {
+    LevelLight& light = level.light;
+    const FrameRotation<float> turn{level.turn_cos[i], level.turn_sin[i]};
+    float coarse = 0;
+    for (std::size_t band = 0; band < band_count; ++band) {
+        const PlanarMueller<float> event = level.event_at<float>(band, i);
+        Stokes<float, components> arriving{};
+        for (std::size_t j = 0; j < components; ++j) arriving[static_cast<int>(j)] = next.stokes[3 * j + band][k];
+        add_stokes(light.stokes, band, i, rotate(turn, event * arriving));
+        const float error = next.error[band][k];
+        if constexpr (components == 1) {
+            add_error(light.error, band, i, event.m00 * error);
+        } else {
+            const float polarized = next.polarized_error[band][k];
+            add(light.unpolarized, band, i, event.m00 * next.unpolarized[band][k]);
+            add_error(light.unpolarized_error, band, i, event.m00 * next.unpolarized_error[band][k]);
+            add_error(light.error, band, i, event.m00 * error + std::abs(event.m01) * polarized);
+            const float across = std::abs(event.c) + std::abs(event.d);
+            add_error(light.polarized_error, band, i,
+                      std::max(std::abs(event.m10) * error + std::abs(event.m11) * polarized, across * polarized));
+        }
+        coarse = std::max(coarse, event.m00);
+    }
+    light.coarse[i] += coarse * next.coarse[k];
+}
+
+}  // namespace brewster
