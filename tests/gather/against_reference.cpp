@@ -35,8 +35,9 @@ void expect_agreement(const std::string& what, const StokesPicture& picture, con
 TEST(GatherAgainstReference, CanonicalScenes) {
     constexpr std::uint64_t photons = 1'000'000 / static_cast<unsigned>(light_test_scale);
     constexpr std::uint32_t draws = light_test_scale == 1 ? 64 : 4;
-    for (const auto& [name, camera] : std::vector<std::pair<std::string, std::string>>{
+    for (const auto& view : std::vector<std::pair<std::string, std::string>>{
              {"cornell-box", "front"}, {"gloss-lab", "entry"}, {"metal-lab", "low"}, {"spheres", "side"}}) {
+        const std::string &name = view.first, &camera = view.second;
         const auto scene = scene_of_assets(name);
         const auto bins = solved_bins(scene, photons);
         const auto kept = [&](const std::string& world) {
