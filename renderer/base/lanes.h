@@ -177,7 +177,7 @@ inline void store(FloatLanes x, float* to) {
 namespace lanes_detail {
 
 /// Eight rows of eight floats become eight columns.
-inline void transpose(__m256 (&r)[lane_count]) {
+[[gnu::always_inline]] inline void transpose(__m256 (&r)[lane_count]) {
     __m256 pairs[lane_count], quads[lane_count];
     for (int j = 0; j < 4; ++j) {
         pairs[2 * j] = _mm256_unpacklo_ps(r[2 * j], r[2 * j + 1]);

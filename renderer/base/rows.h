@@ -20,7 +20,7 @@ struct alignas(32) Row {
 using Columns = std::array<FloatLanes, row_size>;
 
 template <class RowOfLane>
-Columns load_columns(const RowOfLane& row) {
+[[gnu::always_inline]] inline Columns load_columns(const RowOfLane& row) {
     __m256 r[8];
     for (int lane = 0; lane < lane_count; ++lane) r[lane] = _mm256_loadu_ps(row(lane));
     lanes_detail::transpose(r);
@@ -31,7 +31,7 @@ Columns load_columns(const RowOfLane& row) {
 
 /// The same backwards; rows are written in the order of their lanes, so that a later one may overwrite an earlier.
 template <class RowOfLane>
-void store_columns(const Columns& columns, const RowOfLane& row) {
+[[gnu::always_inline]] inline void store_columns(const Columns& columns, const RowOfLane& row) {
     __m256 r[8];
     for (std::size_t j = 0; j < row_size; ++j) r[j] = static_cast<__m256>(columns[j]);
     lanes_detail::transpose(r);

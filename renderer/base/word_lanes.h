@@ -129,6 +129,24 @@ WordLanes gather(const std::uint32_t* table, WordLanes index) {
     }
 }
 
+/// Two words that stand together, table[2 index] and the next, in each lane: one load a lane for both.
+struct PairLanes {
+    WordLanes first, second;
+};
+inline PairLanes gather_pair(const std::uint32_t* table, WordLanes index) {
+    if constexpr (gather_by_instruction) {
+        // Lanes 0, 1, 4, 5 and 2, 3, 6, 7, so that a shuffle within the halves puts them in order.
+        const __m256i order = _mm256_permute4x64_epi64(index.bits, 0xd8);
+        const auto* const pairs = reinterpret_cast<const long long*>(table);
+        const __m256 a = _mm256_castsi256_ps(_mm256_i32gather_epi64(pairs, _mm256_castsi256_si128(order), 8));
+        const __m256 b = _mm256_castsi256_ps(_mm256_i32gather_epi64(pairs, _mm256_extracti128_si256(order, 1), 8));
+        return {WordLanes(_mm256_castps_si256(_mm256_shuffle_ps(a, b, 0x88))),
+                WordLanes(_mm256_castps_si256(_mm256_shuffle_ps(a, b, 0xdd)))};
+    } else {
+        return {gather<2>(table, index), gather<2>(table + 1, index)};
+    }
+}
+
 /// All 64 bits of a product, as its two words.
 struct ProductLanes {
     WordLanes high, low;

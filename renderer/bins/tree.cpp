@@ -80,6 +80,7 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout
         for (std::uint32_t chart = 0; chart < charts; ++chart) {
             split_evenly(chart, 2 * settings.fixed_grid_log2, glm::dvec2(1));
         }
+        fill_directory();
         return;
     }
     for (std::uint32_t chart = 0; chart < charts; ++chart) split_along_contacts(chart);
@@ -97,6 +98,29 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout
         const int levels = static_cast<int>(std::floor(std::log2(std::max(share, 1.0))));
         split_evenly(index, std::min(levels, 12), outlines_[cells_[index].chart].size);
     }
+    fill_directory();
+}
+
+// Of many charts, each has few leaves, and a directory would be longer than the way.
+template <int D>
+void BinTree<D>::fill_directory() {
+    if (chart_count() > most_directories) return;
+    constexpr std::uint32_t cells = 1u << directory_bits, size = BREWSTER_UV_ONE >> directory_bits;
+    directory_.clear();
+    for (std::uint32_t chart = 0; chart < chart_count(); ++chart)
+        for (std::uint32_t row = 0; row < cells; ++row)
+            for (std::uint32_t column = 0; column < cells; ++column) {
+                const std::array<std::uint32_t, 2> low = {column * size, row * size};
+                std::uint32_t index = chart;
+                for (;;) {
+                    const TreeNode& node = nodes_[index];
+                    if (node.is_leaf() || node.axis() >= 2) break;
+                    const bool below_split = low[node.axis()] + size <= node.split;
+                    if (!below_split && low[node.axis()] < node.split) break;  // the border runs through the cell
+                    index = node.low_child() + (below_split ? 0u : 1u);
+                }
+                directory_.push_back(index);
+            }
 }
 
 // The middle of what is occupied, so that no child is empty.
@@ -266,6 +290,7 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
         if (bytes() + 2 * bytes_per_node() + bytes_elsewhere > settings.memory_bytes) break;
         split(candidate.node, candidate.axis, candidate.position, photons);
     }
+    fill_directory();
 }
 
 template class BinTree<2>;

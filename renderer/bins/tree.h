@@ -75,21 +75,19 @@ class BinTree {
         while (!node.is_leaf()) node = nodes_[node.low_child() + (point[node.axis()] < node.split ? 0u : 1u)];
         return node.leaf();
     }
-    /// The same in lanes; charts must be valid in all of them.
-    WordLanes locate(WordLanes chart, const std::array<WordLanes, D>& point) const {
-        const std::uint32_t* const words = &nodes_[0].split;
-        WordLanes node = chart, word = gather<2>(words + 1, node);
-        for (;;) {
-            const LaneMask is_leaf = has_top_bit(word);
-            if (!any_of(!is_leaf)) return word & WordLanes(~BREWSTER_NODE_LEAF);
-            const WordLanes axis = (word >> BREWSTER_NODE_AXIS_SHIFT) & WordLanes(D - 1u);
-            WordLanes coordinate = point[0];
-            for (std::uint32_t a = 1; a < D; ++a) coordinate = select(equal(axis, WordLanes(a)), point[a], coordinate);
-            const LaneMask low = below(coordinate, gather<2>(words, node));
-            const WordLanes child = (word & WordLanes(BREWSTER_NODE_INDEX)) + select(low, WordLanes(0u), WordLanes(1u));
-            node = select(is_leaf, node, child);
-            word = select(is_leaf, word, gather<2>(words + 1, node));
-        }
+    /// The same in lanes, in two steps, so that several directions of one place share the first. `enter`: the node
+    /// that is reached by position alone; charts must be valid in all lanes. `descend`: from there to the leaf.
+    WordLanes enter(WordLanes chart, WordLanes u, WordLanes v) const {
+        if (directory_.empty()) return chart;
+        constexpr int shift = BREWSTER_UV_BITS - directory_bits;
+        const WordLanes column = u >> shift, row = v >> shift;
+        const WordLanes start =
+            gather<1>(directory_.data(), (chart << 2 * directory_bits) | (row << directory_bits) | column);
+        if constexpr (D == 2) return start;
+        return descent<true>(start, {u, v});
+    }
+    WordLanes descend(WordLanes node, const std::array<WordLanes, D>& point) const {
+        return descent<false>(node, point);
     }
     const LeafFrame<D>& frame(std::uint32_t leaf) const { return frames_[leaf]; }
 
@@ -120,6 +118,29 @@ class BinTree {
     std::size_t bytes() const;
 
   private:
+    static constexpr int directory_bits = 4;
+    static constexpr std::uint32_t most_directories = 4096;
+
+    // To the leaf's index, or, by position alone, to the node where another axis or the leaf comes.
+    template <bool by_position>
+    WordLanes descent(WordLanes node, const std::array<WordLanes, D>& point) const {
+        constexpr std::uint32_t axes = by_position ? 2 : D;
+        for (;;) {
+            const PairLanes words = gather_pair(&nodes_[0].split, node);
+            const WordLanes split = words.first, word = words.second;
+            LaneMask ends = has_top_bit(word);
+            if constexpr (by_position) ends = ends || has_top_bit(word << 1);  // an axis of directions
+            if (!any_of(!ends)) return by_position ? node : word & WordLanes(~BREWSTER_NODE_LEAF);
+            const WordLanes axis = word >> BREWSTER_NODE_AXIS_SHIFT;
+            WordLanes coordinate = point[0];
+            for (std::uint32_t a = 1; a < axes; ++a)
+                coordinate = select(equal(axis, WordLanes(a)), point[a], coordinate);
+            const LaneMask low = below(coordinate, split);
+            const WordLanes child = (word & WordLanes(BREWSTER_NODE_INDEX)) + select(low, WordLanes(0u), WordLanes(1u));
+            node = select(ends, node, child);
+        }
+    }
+    void fill_directory();
     bool split_position(std::uint32_t index, int axis, std::uint32_t& position) const;
     void split(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons);
     void split_along_contacts(std::uint32_t chart);
@@ -136,6 +157,7 @@ class BinTree {
     std::vector<Wide> estimate_sums_, test_sums_;  // beside nodes_, a record each
     std::vector<LeafFrame<D>> frames_;
     std::vector<std::uint32_t> node_of_leaf_;
+    std::vector<std::uint32_t> directory_;  // 16 x 16 cells a chart: the node that all of a cell's light comes by
 };
 
 extern template class BinTree<2>;

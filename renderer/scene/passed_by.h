@@ -20,6 +20,10 @@ class PassedBy {
         return is_neighbour_from_behind(triangle, leaving, direction);
     }
 
+    /// The planes of the triangles; patches have none.
+    const std::vector<std::uint32_t>& planes() const { return planes_; }
+    std::uint32_t plane_left(std::uint32_t leaving) const { return leaving == no_triangle ? curved : planes_[leaving]; }
+
   private:
     static constexpr std::uint32_t curved = 0xffffffffu;
 

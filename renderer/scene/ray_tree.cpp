@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "scene/albedo.h"
+#include "scene/mesh_boxes.h"
 
 namespace brewster {
 namespace {
@@ -24,7 +25,8 @@ struct ReleaseTree {
 // leave a plane meet it within rounding of their start: rejecting those on the way costs less than tracing them again.
 // Rays pass through holes the same way, unless their flags say that they meet them.
 struct PastContext {
-    PastContext(const PassedBy& rule, const Scene* cut_out) : passed_by(&rule), scene(cut_out) {
+    PastContext(const PassedBy& rule, const Scene* cut_out, const std::uint32_t* triangles)
+        : passed_by(&rule), scene(cut_out), triangle_of(triangles) {
         rtcInitIntersectContext(&base);
         base.filter = reject;
     }
@@ -34,7 +36,7 @@ struct PastContext {
         const unsigned count = arguments->N;
         for (unsigned i = 0; i < count; ++i) {
             if (!arguments->valid[i]) continue;
-            const unsigned triangle = RTCHitN_primID(arguments->hit, count, i);
+            const std::uint32_t triangle = context.triangle_of[RTCHitN_primID(arguments->hit, count, i)];
             const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, count, i), RTCRayN_dir_y(arguments->ray, count, i),
                                       RTCRayN_dir_z(arguments->ray, count, i));
             if ((*context.passed_by)(triangle, RTCRayN_id(arguments->ray, count, i), direction) ||
@@ -48,32 +50,19 @@ struct PastContext {
     RTCIntersectContext base;
     const PassedBy* passed_by;
     const Scene* scene;  // null: nothing in it is cut out
+    const std::uint32_t* triangle_of;
 };
 
-TriangleHit trace_one(RTCScene tree, PastContext& context, const Ray& ray) {
-    RTCRayHit query{};
-    query.ray.org_x = ray.origin.x;
-    query.ray.org_y = ray.origin.y;
-    query.ray.org_z = ray.origin.z;
-    query.ray.dir_x = ray.direction.x;
-    query.ray.dir_y = ray.direction.y;
-    query.ray.dir_z = ray.direction.z;
-    query.ray.tfar = INFINITY;
-    query.ray.mask = 0xffffffffu;
-    query.ray.id = ray.leaving;
-    query.ray.flags = ray.meets_holes;
-    query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(tree, &context.base, &query);
-    return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
-}
-
-// Up to eight rays; lanes without one are switched off.
-void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, TriangleHit* hits) {
+// Up to eight rays, chosen by their places; lanes without one are switched off. A single ray in a packet gets the bits
+// that it would get alone.
+void improve_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays, std::span<TriangleHit> hits,
+                   std::span<const std::uint32_t> places) {
     alignas(32) int valid[8];
     RTCRayHit8 query;
     for (std::size_t i = 0; i < 8; ++i) {
-        const Ray& ray = rays[std::min(i, rays.size() - 1)];
-        valid[i] = i < rays.size() ? -1 : 0;
+        const std::size_t place = places[std::min(i, places.size() - 1)];
+        const Ray& ray = rays[place];
+        valid[i] = i < places.size() ? -1 : 0;
         query.ray.org_x[i] = ray.origin.x;
         query.ray.org_y[i] = ray.origin.y;
         query.ray.org_z[i] = ray.origin.z;
@@ -81,28 +70,33 @@ void trace_eight(RTCScene tree, PastContext& context, std::span<const Ray> rays,
         query.ray.dir_y[i] = ray.direction.y;
         query.ray.dir_z[i] = ray.direction.z;
         query.ray.tnear[i] = query.ray.time[i] = 0.0f;
-        query.ray.tfar[i] = INFINITY;
+        query.ray.tfar[i] = hits[place].distance;
         query.ray.mask[i] = 0xffffffffu;
         query.ray.id[i] = ray.leaving;
         query.ray.flags[i] = ray.meets_holes;
         query.hit.primID[i] = query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect8(valid, tree, &context.base, &query);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        hits[i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+            hits[places[i]] = {context.triangle_of[query.hit.primID[i]], query.ray.tfar[i], query.hit.u[i],
+                               query.hit.v[i]};
 }
 
 }  // namespace
 
 struct RayTree::Impl {
     const PassedBy& passed_by;
+    const std::vector<std::uint32_t> triangles;
+    const MeshBoxes boxes;
     const Scene* cut_out = nullptr;                      // the scene, if anything in it is cut out
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;  // outlives the tree
     std::unique_ptr<RTCSceneTy, ReleaseTree> tree;
 };
 
-RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
-    : impl_(std::make_unique<Impl>(Impl{passed_by, nullptr, {}, {}})) {
+RayTree::RayTree(const Scene& scene, const PassedBy& passed_by, const std::vector<std::uint32_t>& triangles)
+    : impl_(std::make_unique<Impl>(Impl{passed_by, triangles, MeshBoxes(scene, triangles), nullptr, {}, {}})) {
+    if (triangles.empty()) return;
     if (std::any_of(scene.materials.begin(), scene.materials.end(),
                     [](const Material& material) { return material.alpha_cutoff > 0; }))
         impl_->cut_out = &scene;
@@ -119,10 +113,10 @@ RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), scene.vertices.size()));
     auto* corners = static_cast<Corners*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                  sizeof(Corners), scene.triangles.size()));
+                                                                  sizeof(Corners), impl_->triangles.size()));
     if (vertices && corners) {
         std::copy(scene.vertices.begin(), scene.vertices.end(), vertices);
-        for (const Triangle& triangle : scene.triangles) *corners++ = triangle.vertices;
+        for (const std::uint32_t triangle : impl_->triangles) *corners++ = scene.triangles[triangle].vertices;
         rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(tree, geometry);
@@ -136,15 +130,18 @@ RayTree::RayTree(const Scene& scene, const PassedBy& passed_by)
 
 RayTree::~RayTree() = default;
 
-void RayTree::trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
-    PastContext context(impl_->passed_by, impl_->cut_out);
-    if (rays.size() == 1) {
-        hits[0] = trace_one(impl_->tree.get(), context, rays[0]);
-        return;
-    }
-    for (std::size_t first = 0; first < rays.size(); first += 8) {
-        const std::size_t count = std::min<std::size_t>(8, rays.size() - first);
-        trace_eight(impl_->tree.get(), context, rays.subspan(first, count), &hits[first]);
+void RayTree::improve(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+    if (impl_->triangles.empty()) return;
+    PastContext context(impl_->passed_by, impl_->cut_out, impl_->triangles.data());
+    constexpr std::size_t at_once = 256;
+    std::array<std::uint32_t, at_once> places;
+    for (std::size_t first = 0; first < rays.size(); first += at_once) {
+        const std::size_t count = std::min(at_once, rays.size() - first);
+        const std::span<const std::uint32_t> crossing =
+            impl_->boxes.crossed_by(rays.subspan(first, count), hits.subspan(first, count), places);
+        for (std::size_t i = 0; i < crossing.size(); i += 8)
+            improve_eight(impl_->tree.get(), context, rays.subspan(first, count), hits.subspan(first, count),
+                          crossing.subspan(i, std::min<std::size_t>(8, crossing.size() - i)));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "scene/rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,6 +13,7 @@
 #include "scene/ray_tree.h"
 #include "scene/surfaces.h"
 #include "scene/vectors.h"
+#include "scene/walls.h"
 
 namespace brewster {
 namespace {
@@ -20,6 +22,8 @@ namespace {
 struct Stand {
     glm::vec3 normal{0.0f}, middle{0.0f};
     float size = 0, inset = 0;
+
+    glm::vec3 up(const Ray& ray) const { return glm::dot(normal, ray.direction) < 0.0f ? -normal : normal; }
 };
 
 Stand stand_on(const Scene& scene, const Triangle& triangle) {
@@ -47,13 +51,48 @@ ChartShape<float> shape_of(const LandingChart& chart) {
 }  // namespace
 
 struct Rays::Impl {
-    explicit Impl(const Scene& whole) : scene(whole), table(whole), passed_by(whole), tree(whole, passed_by) {}
+    explicit Impl(const Scene& whole)
+        : scene(whole),
+          table(whole),
+          passed_by(whole),
+          walls(whole, passed_by.planes()),
+          tree(whole, passed_by, walls.others()) {}
 
-    // The first answer, or, where that is nothing or a back, that of a closer look.
-    TriangleHit settled(const Ray& ray, const TriangleHit& first) const {
-        if (first.met() && (chart_of(ray, first) != no_chart || is_met_hole(ray, first))) return first;
-        const TriangleHit closer = closer_look(ray, first);
-        return closer.met() && chart_of(ray, closer) != no_chart ? closer : first;
+    // The nearest triangles.
+    void trace(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+        constexpr std::size_t at_once = 256;
+        std::array<std::uint32_t, at_once> planes;
+        for (std::size_t first = 0; first < rays.size(); first += at_once) {
+            const std::size_t count = std::min(at_once, rays.size() - first);
+            for (std::size_t i = 0; i < count; ++i) planes[i] = passed_by.plane_left(rays[first + i].leaving);
+            walls.trace(rays.subspan(first, count), planes.data(), &hits[first]);
+            tree.improve(rays.subspan(first, count), hits.subspan(first, count));
+        }
+    }
+
+    // Where the first answer is nothing or a back, a closer look decides. The rays that it asks beside are traced
+    // together.
+    void settle(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
+        constexpr std::size_t at_once = 64;
+        std::array<std::uint32_t, at_once> doubtful;
+        std::array<Ray, at_once> beside;
+        std::array<TriangleHit, at_once> candidates;
+        for (std::size_t next = 0; next < rays.size();) {
+            std::size_t count = 0;
+            for (; next < rays.size() && count < at_once; ++next) {
+                const Ray& ray = rays[next];
+                const TriangleHit& hit = hits[next];
+                if (hit.met() && (chart_of(ray, hit) != no_chart || is_met_hole(ray, hit))) continue;
+                doubtful[count] = static_cast<std::uint32_t>(next);
+                beside[count++] = ray_beside(ray);
+            }
+            trace({beside.data(), count}, {candidates.data(), count});
+            for (std::size_t i = 0; i < count; ++i) {
+                const Ray& ray = rays[doubtful[i]];
+                const TriangleHit closer = closer_look(ray, hits[doubtful[i]], candidates[i]);
+                if (closer.met() && chart_of(ray, closer) != no_chart) hits[doubtful[i]] = closer;
+            }
+        }
     }
 
     std::uint32_t chart_of(const Ray& ray, const TriangleHit& hit) const {
@@ -68,25 +107,30 @@ struct Rays::Impl {
 
     // Single precision cannot decide for a ray that starts within rounding of its plane close to a wall's foot, that
     // runs along an edge, or that meets the gap, a few units in the last place wide, between a wall and another that
-    // ends within its edge. A ray beside it, clear of all edges, shows which triangle it ought to meet; double
-    // precision then says whether it does, counting what lies as close beside the triangle as hits are pulled inside.
-    TriangleHit closer_look(const Ray& ray, const TriangleHit& first) const {
-        constexpr float grazing = 0.01f;
-        constexpr std::size_t few_triangles = 4096;
-        Ray clear = ray, beside = ray;
-        bool grazes = false;
+    // ends within its edge. A ray beside it, clear of all edges, shows which triangle it ought to meet (`candidate`);
+    // double precision then says whether it does, counting what lies as close beside the triangle as hits are pulled
+    // inside.
+    Ray ray_beside(const Ray& ray) const {
+        Ray beside = ray;
         if (ray.leaving == no_triangle) {
             beside.origin += 1e-4f * scene.radius() * glm::vec3(ray.direction.y, ray.direction.z, ray.direction.x);
         } else {
             const Stand stand = stand_on(scene, scene.triangles[ray.leaving]);
-            const float cosine = glm::dot(stand.normal, ray.direction);
-            const glm::vec3 up = cosine < 0.0f ? -stand.normal : stand.normal;
-            grazes = std::abs(cosine) < grazing;
-            clear.origin += stand.inset * up;
-            beside.origin += 1e-4f * stand.size * up + 1e-3f * (stand.middle - ray.origin);
+            beside.origin += 1e-4f * stand.size * stand.up(ray) + 1e-3f * (stand.middle - ray.origin);
         }
-        TriangleHit candidate;
-        tree.trace({&beside, 1}, {&candidate, 1});
+        return beside;
+    }
+
+    TriangleHit closer_look(const Ray& ray, const TriangleHit& first, const TriangleHit& candidate) const {
+        constexpr float grazing = 0.01f;
+        constexpr std::size_t few_triangles = 4096;
+        Ray clear = ray;
+        bool grazes = false;
+        if (ray.leaving != no_triangle) {
+            const Stand stand = stand_on(scene, scene.triangles[ray.leaving]);
+            grazes = std::abs(glm::dot(stand.normal, ray.direction)) < grazing;
+            clear.origin += stand.inset * stand.up(ray);
+        }
         const bool disagrees = candidate.met() && candidate.triangle != first.triangle;
         if (disagrees)
             if (const auto exact = exact_hit(scene, candidate.triangle, clear.origin, clear.direction);
@@ -138,15 +182,16 @@ struct Rays::Impl {
     const Scene& scene;
     const LandingTable table;
     const PassedBy passed_by;
-    const RayTree tree;  // refers to passed_by
+    const Walls walls;
+    const RayTree tree;  // of all that is no wall; refers to passed_by
 };
 
 Rays::Rays(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 Rays::~Rays() = default;
 
 void Rays::meet(std::span<const Ray> rays, std::span<TriangleHit> hits) const {
-    impl_->tree.trace(rays, hits);
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = impl_->settled(rays[i], hits[i]);
+    impl_->trace(rays, hits);
+    impl_->settle(rays, hits);
 }
 
 void Rays::intersect(std::span<const Ray> rays, std::span<Hit> hits) const {

@@ -47,7 +47,7 @@ void scatter_by(const Sample<Real, bands>& sample, PhotonLight<Real, components,
     light.axis = sample.axis;
 }
 
-inline constexpr std::uint32_t gloss_deposits = 8;  ///< directions filed for each arrival; one more goes on
+inline constexpr std::uint32_t gloss_deposits = 4;  ///< directions filed for each arrival; one more goes on
 
 /// A mirror sends all light one way.
 inline std::uint32_t deposits_of(const PreparedMaterial& material) {

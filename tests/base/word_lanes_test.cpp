@@ -57,7 +57,10 @@ TEST(WordLanes, GatherReadsEveryLaneItsOwn) {
     const auto index = lanes_of(load_words(some_words(1).data()) & WordLanes(31u));
     const auto once = lanes_of(gather<1>(table.data(), load_words(index.data())));
     const auto twice = lanes_of(gather<2>(table.data() + 1, load_words(index.data())));
+    const PairLanes pair = gather_pair(table.data(), load_words(index.data()));
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        EXPECT_EQ(lanes_of(pair.first)[lane], 1000 + 2 * index[lane]);
+        EXPECT_EQ(lanes_of(pair.second)[lane], 1001 + 2 * index[lane]);
         EXPECT_EQ(once[lane], 1000 + index[lane]);
         EXPECT_EQ(twice[lane], 1001 + 2 * index[lane]);
     }

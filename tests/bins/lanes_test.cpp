@@ -67,7 +67,7 @@ void expect_same_descent() {
         }
         std::array<WordLanes, D> point;
         for (std::size_t a = 0; a < D; ++a) point[a] = load_words(columns[a].data());
-        const WordLanes leaf = tree.locate(load_words(chart.data()), point);
+        const WordLanes leaf = tree.descend(tree.enter(load_words(chart.data()), point[0], point[1]), point);
         store(leaf, leaves.data());
         const std::array<FloatLanes, D> place = leaf_coordinates<D>(tree, leaf, point);
         for (std::size_t lane = 0; lane < lane_count; ++lane) {

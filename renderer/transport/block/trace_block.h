@@ -165,7 +165,7 @@ class BlockTracer : public PhotonTracer {
         const BinTree<2>& tree = context.bins.entry;
         const EntryFields& fields = context.bins.entry_fields;
         const std::array<WordLanes, 2> point = {at.u, at.v};
-        const WordLanes leaf = tree.locate(at.chart, point);
+        const WordLanes leaf = tree.descend(tree.enter(at.chart, at.u, at.v), point);
         typename PendingImprints<2, worlds, bands>::Lanes imprint;
         make_imprint(entering.weights.data(), worlds, bands, leaf_coordinates<2>(tree, leaf, point), imprint);
         typename PendingImprints<2, worlds, bands>::Places places;
@@ -186,6 +186,7 @@ class BlockTracer : public PhotonTracer {
         const BinTree<4>& tree = context.bins.gloss;
         const WordLanes chart = gather<1>(context.bins.gloss_charts.index.data(), at.chart);
         const LaneMask takes_mirrors = coarse ? first_lanes(lane_count) : first_lanes(0);
+        const WordLanes place = tree.enter(chart, at.u, at.v);
         const GlossFrame<FloatLanes> frame = gloss_frame(at, flight.direction);
         typename PendingImprints<4, gloss_fields, bands>::Places places;
         std::array<std::uint32_t, lane_count> photons;
@@ -198,7 +199,7 @@ class BlockTracer : public PhotonTracer {
             const LaneMask filed = present && sent.filed;
             if (!any_of(filed)) continue;
             const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};
-            const WordLanes leaf = tree.locate(chart, point);
+            const WordLanes leaf = tree.descend(place, point);
             typename PendingImprints<4, gloss_fields, bands>::Lanes imprint;
             make_imprint(sent.weights.data(), gloss_fields, bands, leaf_coordinates<4>(tree, leaf, point), imprint);
             gloss_.add(sums.gloss, filed, leaf, places, imprint);
