@@ -57,6 +57,7 @@ BinTree<D> BinTree<D>::read(ByteReader& file, std::vector<Outline> outlines, con
     tree.estimate_sums_ = file.get_all<Wide>();
     tree.test_sums_ = file.get_all<Wide>();
     if (tree.estimate_sums_.size() != estimates || tree.test_sums_.size() != tests) file.refuse();
+    tree.fill_directory();
     return tree;
 }
 

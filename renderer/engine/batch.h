@@ -5,7 +5,8 @@
 
 namespace brewster {
 
-inline constexpr std::uint64_t photons_per_block = 1024;  ///< what a worker takes at a time
+inline constexpr std::uint64_t photons_per_block = 1024;
+inline constexpr std::uint64_t most_blocks_taken = 8;  ///< by a worker at a time: a few milliseconds
 
 /// The fixed sequence of batches: whole blocks, each batch a quarter longer than the one before, up to 2^22 photons, so
 /// that 64 bits hold a batch's sums even where a photon comes by a thousand times. Trees change only at the ends of

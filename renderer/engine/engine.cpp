@@ -99,11 +99,14 @@ Engine::Impl::~Impl() {
     something_done.notify_all();
 }
 
-// With the lock held. False: nothing to take now.
+// With the lock held. False: nothing to take now. Towards the end of a batch, and of small ones, workers take less, so
+// that none waits long for another.
 bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
     if (!run || quit || next_photon >= limit) return false;
     begin = next_photon;
-    end = std::min(limit, (begin / photons_per_block + 1) * photons_per_block);
+    const std::uint64_t share = (limit - begin) / (2 * handed_over.size() * photons_per_block);
+    end = std::min(limit, (begin / photons_per_block + std::clamp<std::uint64_t>(share, 1, most_blocks_taken)) *
+                              photons_per_block);
     next_photon = end;
     return true;
 }

@@ -51,29 +51,54 @@ float PhotonEmission::sobol(std::uint64_t photon, unsigned dimension) const {
     return unit_float(sobol_word(photon, dimension));
 }
 
-FloatLanes PhotonEmission::sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const {
+WordLanes PhotonEmission::sobol_words(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const {
     if (any_of(!equal(photon_high >> 3, WordLanes(0u)))) {  // another round
-        std::array<std::uint32_t, lane_count> low, high;
-        std::array<float, lane_count> numbers;
+        std::array<std::uint32_t, lane_count> low, high, words;
         store(photon_low, low.data());
         store(photon_high, high.data());
         for (std::size_t i = 0; i < lane_count; ++i)
-            numbers[i] = sobol(std::uint64_t{high[i]} << 32 | low[i], dimension);
-        return load<FloatLanes>(numbers.data());
+            words[i] = sobol_word(std::uint64_t{high[i]} << 32 | low[i], dimension);
+        return load_words(words.data());
     }
     static_assert(replica_count == 8);
     const WordLanes index = (photon_low >> 3) | (photon_high << 29);
     const WordLanes scramble =
         gather<1>(scrambles_[0].data() + dimension, (photon_low & WordLanes(7u)) * WordLanes(sobol_dimensions));
-    return unit_float(sobol_owen(index, dimension, scramble));
+    return sobol_owen(index, dimension, scramble);
+}
+
+FloatLanes PhotonEmission::sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const {
+    return unit_float(sobol_words(photon_low, photon_high, dimension));
 }
 
 EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
-    const std::uint64_t choice = sobol_word(photon, 0);
+    Words words;
+    for (unsigned d = 0; d < dimensions; ++d) words[d] = sobol_word(photon, d);
+    return sample_by(words);
+}
+
+void PhotonEmission::sample(std::uint64_t first, std::span<EmittedPhoton> photons) const {
+    std::array<std::uint32_t, lane_count> low, high;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        low[lane] = static_cast<std::uint32_t>(first + lane);
+        high[lane] = static_cast<std::uint32_t>((first + lane) >> 32);
+    }
+    std::array<std::array<std::uint32_t, lane_count>, dimensions> numbers;
+    for (unsigned d = 0; d < dimensions; ++d)
+        store(sobol_words(load_words(low.data()), load_words(high.data()), d), numbers[d].data());
+    for (std::size_t lane = 0; lane < photons.size(); ++lane) {
+        Words words;
+        for (unsigned d = 0; d < dimensions; ++d) words[d] = numbers[d][lane];
+        photons[lane] = sample_by(words);
+    }
+}
+
+EmittedPhoton PhotonEmission::sample_by(const Words& words) const {
+    const std::uint64_t choice = words[0];
     const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
     const auto lamp = static_cast<std::uint32_t>(found - cumulative_.begin());
     std::array<double, 4> numbers;
-    for (unsigned d = 0; d < 4; ++d) numbers[d] = 0x1p-32 * sobol_word(photon, d + 1);
+    for (unsigned d = 0; d < 4; ++d) numbers[d] = 0x1p-32 * words[d + 1];
     // A sun is guided by where its photons start, a point by where they go.
     const std::size_t guided_number = scene_.lamps[lamp].kind == LampKind::sun ? 0 : 2;
     const EmissionGuide::Start guided = guide_.warp(lamp, numbers[guided_number], numbers[guided_number + 1]);

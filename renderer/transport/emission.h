@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "base/sobol.h"
@@ -37,6 +38,9 @@ class PhotonEmission {
 
     EmittedPhoton sample(std::uint64_t photon) const;
 
+    /// The same of up to eight photons in a row.
+    void sample(std::uint64_t first, std::span<EmittedPhoton> photons) const;
+
     const EmissionGuide& guide() const { return guide_; }
     EmissionGuide& guide() { return guide_; }  ///< between batches
 
@@ -45,7 +49,11 @@ class PhotonEmission {
     FloatLanes sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;  ///< of eight photons
 
   private:
+    using Words = std::array<std::uint32_t, dimensions>;
+
     std::uint32_t sobol_word(std::uint64_t photon, unsigned dimension) const;
+    WordLanes sobol_words(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;
+    EmittedPhoton sample_by(const Words& words) const;
 
     const Scene& scene_;
     const LampSampler sampler_;

@@ -30,7 +30,8 @@ class BlockTracer : public PhotonTracer {
             for (Group& group : groups_->groups) group.slots.reserve(slots_);
         }
         for (std::uint64_t photon = begin;;) {
-            for (; photon < end && now_.count < slots_; ++photon) emit(context, photon, sums);
+            while (photon < end && now_.count < slots_)
+                photon = emit(context, photon, std::min(end, photon + (slots_ - now_.count)), sums);
             if (now_.count == 0) break;
             meet(context, sums);
             for (Group& group : groups_->groups) {
@@ -53,13 +54,19 @@ class BlockTracer : public PhotonTracer {
     static constexpr int worlds = components > 1 ? 2 : 1;
     static constexpr int gloss_fields = PhotonLight<float, components, bands>::fields;
 
-    void emit(const TransportContext& context, std::uint64_t photon, WorkerSums& sums) {
-        const EmittedPhoton emitted = context.emission.sample(photon);
-        const auto light = emitted_light<components, bands>(context.scene, emitted);
-        append(now_, emitted, light, photon);
-        ++sums.counts.photons;
-        ++sums.guide.traced[emitted.guide_cell];
-        emitted_.take(&Ledger::emitted, true, light);
+    // Up to eight photons; returns the next.
+    std::uint64_t emit(const TransportContext& context, std::uint64_t photon, std::uint64_t end, WorkerSums& sums) {
+        std::array<EmittedPhoton, lane_count> emitted;
+        const std::size_t count = std::min<std::uint64_t>(lane_count, end - photon);
+        context.emission.sample(photon, {emitted.data(), count});
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto light = emitted_light<components, bands>(context.scene, emitted[i]);
+            append(now_, emitted[i], light, photon + i);
+            ++sums.guide.traced[emitted[i].guide_cell];
+            emitted_.take(&Ledger::emitted, true, light);
+        }
+        sums.counts.photons += count;
+        return photon + count;
     }
 
     // Finds what each photon meets and sorts the slots by it; those that end here are booked.
