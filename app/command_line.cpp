@@ -427,6 +427,11 @@ Command parse_command_line(int argc, const char* const* argv) {
     program.add_option("scene", open.scene, "A .gltf or .glb file to look at (default: the Cornell box)")
         ->type_name("SCENE");
     program.add_flag("--headless", open.headless, "Write pictures of all cameras instead of opening a window");
+    program.add_option("--replay", open.replay, "Play a script into the window, for tests and measurements")
+        ->type_name("FILE");
+    program.add_option("--report", open.report, "Where the outcome of --replay goes (default: standard output)")
+        ->type_name("FILE");
+    program.add_option("--record", open.record, "Write what is done in the window as such a script")->type_name("FILE");
     add_settings(program, open.settings);
     add_trace_options(program, open.stop, open.engine, "never in the window, 1e7 for pictures");
 

@@ -1,18 +1,18 @@
 #pragma once
 #include <glm/vec2.hpp>
+#include <string>
 
 namespace brewster {
 
-enum class Key { n, p, q, home, other };
 enum class Button { left, middle, right };
 
 /// One thing a person did, in the order it was done. Places are in pixels of the framebuffer from the upper left.
 struct InputEvent {
-    enum class Kind { key_press, button_press, button_release, motion, wheel };
+    enum class Kind { key_press, key_release, button_press, button_release, motion, wheel };
     Kind kind = Kind::motion;
-    Key key = Key::other;
+    std::string key;  ///< as the key table writes it: "P", ",", "F1", "Home", "Keypad 1"; letters by the layout
     Button button = Button::left;
-    bool shift = false, control = false;
+    bool shift = false, control = false, alt = false;
     glm::vec2 place{0.0f};  ///< of the pointer
     float notches = 0;      ///< of the wheel, forward positive
 };

@@ -57,6 +57,26 @@ Camera dollied(const Camera& camera, glm::vec3 point, float factor) {
     return result;
 }
 
+Camera flown(const Camera& camera, glm::vec3 way, float metres) {
+    Camera result = camera;
+    result.position += metres * (way.x * camera.right() + way.y * camera.up + way.z * camera.forward);
+    return result;
+}
+
+Camera framed(const Camera& camera, glm::vec3 centre, float radius) {
+    Camera result = camera;
+    const float distance = std::max(radius, 1e-6f) / std::sin(0.5f * camera.vertical_field_of_view);
+    result.position = centre - distance * camera.forward;
+    return result;
+}
+
+Camera looking_along(const Camera& camera, glm::vec3 forward, float radius) {
+    Camera result = camera;
+    result.forward = forward;
+    result.up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : vertical;
+    return framed(result, glm::vec3(0.0f), radius);
+}
+
 glm::vec3 Navigation::target(const Camera& camera, glm::vec2 place, glm::ivec2 picture_size) const {
     if (const std::optional<glm::vec3> point = seen_(camera, place)) return *point;
     const glm::vec3 ray = ray_direction(camera, picture_size.x, picture_size.y, place.x, place.y);
@@ -66,11 +86,16 @@ glm::vec3 Navigation::target(const Camera& camera, glm::vec2 place, glm::ivec2 p
 Camera Navigation::moved(const Camera& camera, const InputEvent& event, glm::ivec2 picture_size) {
     switch (event.kind) {
         case InputEvent::Kind::button_press:
-            if (dragging() || event.button == Button::right) return camera;
-            drag_ = event.button == Button::middle || event.shift ? Drag::pan : Drag::orbit;
+            if (dragging()) return camera;
+            drag_ = event.button == Button::right                   ? Drag::look
+                    : event.button == Button::middle || event.shift ? Drag::pan
+                                                                    : Drag::orbit;
             button_ = event.button;
             place_ = event.place;
-            anchor_ = target(camera, drag_ == Drag::pan ? place_ : 0.5f * glm::vec2(picture_size), picture_size);
+            anchor_ = drag_ == Drag::look ? camera.position
+                      : drag_ == Drag::orbit && pivot_
+                          ? *pivot_
+                          : target(camera, drag_ == Drag::pan ? place_ : 0.5f * glm::vec2(picture_size), picture_size);
             return camera;
         case InputEvent::Kind::button_release:
             if (event.button == button_) release();
@@ -85,12 +110,14 @@ Camera Navigation::moved(const Camera& camera, const InputEvent& event, glm::ive
             }
             // The height of the picture is half a turn.
             const glm::vec2 angle = std::numbers::pi_v<float> / static_cast<float>(picture_size.y) * step;
+            if (drag_ == Drag::look) return orbited(camera, camera.position, -angle.x, -angle.y);
             return orbited(camera, anchor_, -angle.x, -angle.y);
         }
         case InputEvent::Kind::wheel:
             return dollied(camera, target(camera, event.place, picture_size),
                            std::pow(factor_per_notch, event.notches));
         case InputEvent::Kind::key_press:
+        case InputEvent::Kind::key_release:
             break;
     }
     return camera;

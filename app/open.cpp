@@ -1,6 +1,6 @@
 #include <glm/vec2.hpp>
 
-#include "app/numbers.h"
+#include "app/clock.h"
 #include "app/trace.h"
 #include "app/verbs.h"
 #include "app/viewer.h"
@@ -11,8 +11,7 @@
 namespace brewster {
 namespace {
 
-constexpr glm::ivec2 first_window_size{1024, 768};
-constexpr double seconds_between_snapshots = 0.5;
+constexpr glm::ivec2 first_window_size{1280, 800};
 
 /// Null where no window can be opened; `obstacle` then says why.
 std::unique_ptr<Window> open_window(const Scene& scene, std::string& obstacle) {
@@ -24,31 +23,16 @@ std::unique_ptr<Window> open_window(const Scene& scene, std::string& obstacle) {
     }
 }
 
-std::string progress_words(Engine& engine) {
-    const bool done = engine.wait_for(0);  // throws what a worker failed of
-    const Progress progress = engine.progress();
-    return with_magnitude(static_cast<double>(progress.photons)) + " photons" +
-           (done ? ", done" : ", " + with_magnitude(progress.photons_per_second()) + " a second");
-}
-
-void show(Window& window, const std::shared_ptr<const Scene>& scene, const OpenOptions& options) {
-    EngineSettings settings = options.engine;
-    settings.lowest_priority = true;
-    settings.snapshot_seconds = seconds_between_snapshots;
-    Engine engine(scene, settings);
-    engine.start(options.stop);
-    view(window, *scene, {[&] { return engine.snapshot(); }, [&] { return progress_words(engine); }}, {});
-    engine.stop();
-}
-
 }  // namespace
 
 void open_scene(const OpenOptions& options) {
+    const double started = seconds_now();
     const std::shared_ptr<const Scene> scene = load_scene(options.scene, options.settings);
     std::string obstacle = "--headless was asked for";
     if (!options.headless) {
         if (const std::unique_ptr<Window> window = open_window(*scene, obstacle)) {
-            return show(*window, scene, options);
+            if (Viewer(*window, scene, options, started).run()) return;
+            throw Error("it found what it did not expect", options.replay, "see its report");
         }
     }
     log_info(obstacle + "; pictures of all cameras go to ./pictures");

@@ -99,6 +99,9 @@ struct OpenOptions {
     StopRule stop;  ///< empty: a window goes on for ever, pictures take default_photons
     EngineSettings engine;
     bool headless = false;  ///< draw pictures even where a window could be opened
+    std::string replay;     ///< a script to play into the window; empty: none
+    std::string report;     ///< where its outcome goes; empty: standard output
+    std::string record;     ///< where to write a script of what is done; empty: nowhere
 };
 
 using Command =

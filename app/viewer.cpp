@@ -1,195 +1,372 @@
 #include "app/viewer.h"
 
-#include <algorithm>
-#include <chrono>
+#include <imgui.h>
 
-#include "app/motion_resolution.h"
-#include "app/navigation.h"
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/clock.h"
+#include "app/numbers.h"
+#include "app/picture_names.h"
+#include "app/preferences.h"
 #include "app/seen_point.h"
-#include "display/legend.h"
-#include "display/picture.h"
-#include "display/screen_pass.h"
-#include "display/text.h"
+#include "app/trace.h"
+#include "image/exr.h"
+#include "image/png.h"
 
 namespace brewster {
 namespace {
 
-constexpr double rest_after = 0.15;         ///< seconds without motion
-constexpr double idle_wait = 0.1;           ///< seconds until the next look for new bins
-constexpr double progress_interval = 0.25;  ///< seconds
+constexpr double rest_after = 0.15;                // seconds without motion
+constexpr double seconds_between_presents = 0.25;  // at rest
+constexpr double seconds_between_file_looks = 1;
+constexpr double seconds_between_snapshots = 0.5;
 /// New bins begin a new mean. Until it has so many draws the old picture stays, so that edges do not flicker, and no
 /// newer bins are taken, so that it gets there however slow the drawing is.
 constexpr int draws_before_change = 8;
 /// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as
 /// long is left to them before the next.
-constexpr double slow_frame = 0.02;  ///< seconds
+constexpr double slow_frame = 0.02;  // seconds
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
+constexpr float wheel_radius = 58;  // pixels at scale 1
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+EngineSettings beside_a_window(EngineSettings settings) {
+    settings.lowest_priority = true;
+    settings.snapshot_seconds = seconds_between_snapshots;
+    return settings;
 }
-
-class Viewer {
-  public:
-    Viewer(Window& window, const Scene& scene, const LightSource& light, const ViewerOptions& options)
-        : window_(window),
-          scene_(scene),
-          light_(light),
-          options_(options),
-          rays_(scene),
-          picture_(scene),
-          navigation_([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene.radius()),
-          exposure_settled_(options.exposure.has_value()) {
-        const Camera& first = options.camera.empty() ? scene.cameras.front() : scene.camera(options.camera);
-        camera_index_ = static_cast<std::size_t>(&first - scene.cameras.data());
-        camera_ = first;
-        rendition_.exposure = options.exposure.value_or(0.0f);
-    }
-
-    void run() {
-        while (!quit_ && !window_.close_requested()) {
-            if (!busy()) {
-                window_.wait_events(idle_wait);
-            } else if (pause_ > 0) {
-                window_.wait_events(pause_);
-            } else {
-                window_.poll_events();
-            }
-            for (const InputEvent& event : window_.take_events()) handle(event);
-            take_bins();
-            take_progress();
-            if (window_.take_damage()) must_present_ = true;
-            const glm::ivec2 size = window_.framebuffer_size();
-            minimised_ = size.x < 1 || size.y < 1;
-            if (!minimised_) draw(size);
-        }
-    }
-
-  private:
-    bool moving() const { return now() - last_motion_ < rest_after; }
-    int wanted_draws() const { return picture_.bins() ? Picture::full_draws : 1; }
-    bool busy() const {
-        return !minimised_ &&
-               (must_present_ || !picture_.uploaded() || moving() || picture_.draws(rendition_) < wanted_draws());
-    }
-
-    std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const {
-        const glm::ivec2 size = window_.framebuffer_size();
-        return seen_point(rays_, camera.position, ray_direction(camera, size.x, size.y, place.x, place.y));
-    }
-
-    void handle(const InputEvent& event) {
-        if (event.kind == InputEvent::Kind::key_press) return press(event);
-        const glm::ivec2 size = window_.framebuffer_size();
-        if (size.x < 1 || size.y < 1) return navigation_.release();
-        const Camera before = camera_;
-        camera_ = navigation_.moved(camera_, event, size);
-        if (camera_.position != before.position || camera_.forward != before.forward) {
-            moved_ = true;
-            last_motion_ = now();
-            draws_to_present_ = 1;
-        }
-    }
-
-    void press(const InputEvent& event) {
-        const std::size_t count = scene_.cameras.size();
-        if (event.key == Key::q && event.control) quit_ = true;
-        if (event.key == Key::n) choose_camera((camera_index_ + (event.shift ? count - 1 : 1)) % count);
-        if (event.key == Key::home) choose_camera(camera_index_);
-        if (event.key == Key::p && picture_.bins()) {
-            rendition_.polarization = !rendition_.polarization;
-            draws_to_present_ = 1;
-            must_present_ = true;
-        }
-    }
-
-    void choose_camera(std::size_t index) {
-        camera_index_ = index;
-        camera_ = scene_.cameras[index];
-        moved_ = false;
-        navigation_.release();
-        draws_to_present_ = 1;
-    }
-
-    void take_bins() {
-        const bool first = !picture_.bins();
-        if (first || moving() || picture_.draws(rendition_) >= draws_before_change) {
-            if (std::shared_ptr<const Snapshot> bins = light_.snapshot()) picture_.show(std::move(bins));
-        }
-        if (picture_.uploaded() || !picture_.upload(Picture::frame_bytes)) return;
-        draws_to_present_ = first || moving() ? 1 : draws_before_change;
-        if (exposure_settled_) return;
-        rendition_.exposure = picture_.exposure_of(scene_.cameras.front());
-        exposure_settled_ = picture_.bins()->photons >= photons_of_settled_exposure;
-    }
-
-    void take_progress() {
-        if (now() - last_progress_ < progress_interval) return;
-        last_progress_ = now();
-        std::string line = light_.progress();
-        if (line == progress_) return;
-        progress_ = std::move(line);
-        progress_changed_ = true;
-    }
-
-    void draw(glm::ivec2 size) {
-        const double begin = now();
-        const bool in_motion = moving();
-        const int shrink = in_motion && resolution_.half() ? 2 : 1;
-        picture_.look(camera_, (size.x + shrink - 1) / shrink, (size.y + shrink - 1) / shrink);
-        const bool drawn = picture_.draws(rendition_) < wanted_draws();
-        if (drawn) picture_.draw(1, rendition_);
-        const bool ready = picture_.draws(rendition_) >= draws_to_present_;
-        if (must_present_ || (ready && (drawn || progress_changed_))) {
-            present(size);
-            must_present_ = progress_changed_ = false;
-        } else {
-            picture_.finish();
-        }
-        const double took = now() - begin;
-        pause_ = !in_motion && drawn && took > slow_frame ? 3 * took : 0;
-        if (in_motion && drawn) resolution_.frame_took(took);
-    }
-
-    void present(glm::ivec2 size) {
-        const Screen screen = Screen::window(size.x, size.y);
-        screen_pass_.show(screen, picture_.light(), rendition_);
-        const int text_size = std::clamp(size.y / 45, 12, 32);
-        if (!progress_.empty()) text_.add_label(progress_, glm::vec2(0.5f * static_cast<float>(text_size)), text_size);
-        text_.draw(screen);
-        if (options_.legend && picture_.bins()) {
-            const std::string name = camera_.name + (moved_ ? " (moved)" : "");
-            draw_legend(text_, screen, {rendition_, scene_.name, name, picture_.bins()->photons});
-        }
-        window_.swap();
-    }
-
-    Window& window_;
-    const Scene& scene_;
-    const LightSource& light_;
-    const ViewerOptions& options_;
-    Rays rays_;
-    Picture picture_;
-    ScreenPass screen_pass_;
-    Rendition rendition_;
-    Text text_;
-    Navigation navigation_;
-    MotionResolution resolution_;
-    Camera camera_;
-    std::size_t camera_index_ = 0;
-    bool moved_ = false;  ///< the camera is no longer where the file has it
-    bool exposure_settled_;
-    std::string progress_;
-    bool progress_changed_ = false, must_present_ = true, minimised_ = false, quit_ = false;
-    int draws_to_present_ = 1;
-    double last_motion_ = -1e9, last_progress_ = -1e9;
-    double pause_ = 0;  ///< seconds before the next frame
-};
 
 }  // namespace
 
-void view(Window& window, const Scene& scene, const LightSource& light, const ViewerOptions& options) {
-    Viewer(window, scene, light, options).run();
+Viewer::Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOptions& options, double started)
+    : window_(window),
+      overlay_(window),
+      file_(options.scene,
+            [settings = options.settings](const std::string& path) { return load_scene(path, settings); }),
+      session_(scene, beside_a_window(options.engine), options.stop),
+      scene_(scene),
+      rays_(std::make_unique<Rays>(*scene)),
+      canvas_(scene),
+      navigation_([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene->radius()),
+      preferences_(read_preferences(config_folder(), shown_.complaint)),
+      written_preferences_(preferences_),
+      started_(started) {
+    view_.camera = scene->cameras.front();
+    home_camera_ = view_.camera.name;
+    if (const auto palette = find_palette(preferences_.palette)) view_.rendition.palette = *palette;
+    shown_generation_ = session_.generation();
+    last_step_ = seconds_now();
+    if (!options.replay.empty()) {
+        replay_ = std::make_unique<Replay>(options.replay, options.report);
+        stage_ = make_stage();
+        preferences_ = written_preferences_ = {};
+        preferences_.first_run = false;
+        written_preferences_ = preferences_;
+    }
+    if (!options.record.empty()) record_.open(options.record);
+}
+
+Viewer::~Viewer() {
+    if (record_.is_open()) record_ << "]}\n";
+    if (!replay_ && preferences_ != written_preferences_) write_preferences(config_folder(), preferences_);
+}
+
+bool Viewer::run() {
+    while (!quit_ && !window_.close_requested()) {
+        wait();
+        if (replay_ && !replay_->advance(stage_)) break;
+        overlay_.set_style(preferences_.text_scale, preferences_.light);
+        const Sight before = view_;
+        take_file();
+        session_.advance();
+        for (const InputEvent& event : window_.take_events()) {
+            if (record_.is_open()) record(event);
+            handle(event);
+        }
+        for (const std::string& path : window_.take_drops()) file_.open(path);
+        fly(seconds_now() - last_step_);
+        last_step_ = seconds_now();
+        if (window_.take_damage()) must_present_ = true;
+        const glm::ivec2 size = window_.framebuffer_size();
+        hidden_ = size.x < 1 || size.y < 1 || window_.hidden();
+        if (hidden_) continue;
+        make_widgets();
+        if (!same_pose(before.camera, view_.camera)) {
+            last_motion_ = seconds_now();
+            canvas_.show_gathered(nullptr);
+        }
+        if (!(before == view_)) must_present_ = true;
+        take_bins();
+        draw();
+    }
+    return !replay_ || !replay_->failed();
+}
+
+void Viewer::wait() {
+    const double wanted = patience();
+    const double allowed = replay_ ? std::min(wanted, replay_->patience()) : wanted;
+    if (allowed > 0)
+        window_.wait_events(allowed);
+    else
+        window_.poll_events();
+}
+
+// Seconds until something is to be done, if no event comes before.
+double Viewer::patience() const {
+    if (hidden_) return seconds_between_presents;
+    if (must_present_ || widget_frames_ > 0 || moving() || navigation_.flying() || !canvas_.picture().uploaded())
+        return 0;
+    if (drawing_wanted()) return pause_;
+    if (session_.stale() || file_.reading()) return 0.005;
+    const bool tracing = session_.engine() && session_.engine()->progress().running;
+    return tracing ? seconds_between_presents : seconds_between_file_looks;
+}
+
+bool Viewer::moving() const {
+    return seconds_now() - last_motion_ < rest_after;
+}
+
+bool Viewer::drawing_wanted() const {
+    const Picture& picture = canvas_.picture();
+    return picture.draws(Canvas::needed(view_, comparing_)) < (picture.bins() ? Picture::full_draws : 1);
+}
+
+glm::ivec2 Viewer::picture_size() const {
+    const glm::ivec2 size = window_.framebuffer_size();
+    const int column = column_width(preferences_.panels, overlay_.text_scale(), size.x);
+    return {std::max(1, size.x - column), std::max(1, size.y)};
+}
+
+std::optional<glm::vec3> Viewer::seen(const Camera& camera, glm::vec2 place) const {
+    const glm::ivec2 size = picture_size();
+    return seen_point(*rays_, camera.position, ray_direction(camera, size.x, size.y, place.x, place.y));
+}
+
+void Viewer::take_file() {
+    const double now = seconds_now();
+    if (now - last_look_at_file_ > seconds_between_file_looks) {
+        last_look_at_file_ = now;
+        file_.look_for_changes();
+    }
+    const std::optional<SceneFile::Outcome> outcome = file_.take();
+    if (!outcome) return;
+    must_present_ = true;
+    if (!outcome->scene) {
+        shown_.complaint = outcome->complaint;
+        return;
+    }
+    session_.open(outcome->scene);
+    set_scene(outcome->scene, false);
+    shown_.files = false;
+    const std::string path = std::filesystem::absolute(outcome->path).string();
+    std::erase(preferences_.recent_files, path);
+    preferences_.recent_files.insert(preferences_.recent_files.begin(), path);
+    preferences_.folder = std::filesystem::path(path).parent_path().string();
+    window_.set_title("Brewster: " + scene_->name);
+    if (outcome->again) return notice("the file has changed and was read again");
+    go_to(scene_->cameras.front());
+    home_camera_ = view_.camera.name;
+    shown_.material = shown_.lamp = -1;
+    kept_views_ = {};
+    exposure_settled_ = false;
+}
+
+void Viewer::set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces) {
+    if (same_surfaces) {
+        canvas_.repaint(scene);
+    } else {
+        canvas_.open(scene);
+        rays_ = std::make_unique<Rays>(*scene);
+        navigation_ =
+            Navigation([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene->radius());
+        region_.reset();
+    }
+    scene_ = std::move(scene);
+    shown_generation_ = session_.generation();
+    must_present_ = true;
+}
+
+void Viewer::take_bins() {
+    if (session_.generation() != shown_generation_) set_scene(session_.scene(), true);
+    Picture& picture = canvas_.picture();
+    const bool first = !picture.bins();
+    const Rendition wanted = Canvas::needed(view_, comparing_);
+    const bool replaced = session_.generation() != bins_generation_;
+    if (first || replaced || moving() || picture.draws(wanted) >= draws_before_change) {
+        if (std::shared_ptr<const Snapshot> bins = session_.snapshot()) {
+            picture.show(std::move(bins));
+            if (replaced) must_present_ = true;
+            bins_generation_ = session_.generation();
+        }
+    }
+    if (picture.uploaded() || !picture.upload(Picture::frame_bytes)) return;
+    draws_to_present_ = first || replaced || moving() ? 1 : draws_before_change;
+    improved_ = true;
+    if (exposure_settled_) return;
+    view_.rendition.exposure = picture.exposure_of(scene_->cameras.front());
+    exposure_settled_ = picture.bins()->photons >= photons_of_settled_exposure;
+}
+
+Desk Viewer::desk() {
+    Desk desk{.scene = *scene_,
+              .session = session_,
+              .progress = {},
+              .frame_ms = 1000 * frame_seconds_,
+              .samples = static_cast<double>(canvas_.picture().draws(Canvas::needed(view_, comparing_))),
+              .gathered = false,
+              .light = light_,
+              .surface = surface_,
+              .region = region_.has_value(),
+              .scale = overlay_.text_scale(),
+              .view = view_,
+              .preferences = preferences_,
+              .shown = shown_,
+              .act = [this](Action action, int argument) { act(action, argument); },
+              .change_scene = [this](std::shared_ptr<const Scene> scene,
+                                     bool new_step) { session_.change(std::move(scene), new_step); },
+              .open_file = [this](const std::string& path) { file_.open(path); },
+              .save = [this](const std::string& kind) { want_picture(kind, true); },
+              .set_target_error = [this](std::optional<double> error) { session_.set_target_error(error); },
+              .copy = [this](const std::string& text) { window_.set_clipboard(text); }};
+    if (session_.engine()) desk.progress = session_.engine()->progress();
+    if (canvas_.gathered()) {
+        desk.gathered = true;
+        desk.samples = canvas_.gathered()->draws;
+    }
+    return desk;
+}
+
+void Viewer::make_widgets() {
+    const glm::ivec2 size = window_.framebuffer_size();
+    const glm::vec2 picture(picture_size());
+    overlay_.begin();
+    Desk made = desk();
+    panel_column(made, size);
+    const float radius = std::min(wheel_radius * made.scale, 0.2f * std::min(picture.x, picture.y));
+    analyzer_wheel(made, {picture.x - 1.4f * radius, picture.y - 1.4f * radius}, radius);
+    split_slider(made, picture);
+    first_run_card(made);
+    help_window(made);
+    files_window(made);
+    complaint_window(made);
+    if (region_) {
+        ImGui::GetBackgroundDrawList()->AddRect({(*region_)[0].x, (*region_)[0].y}, {(*region_)[1].x, (*region_)[1].y},
+                                                IM_COL32(240, 150, 50, 255), 0, 0, std::max(1.0f, made.scale));
+    }
+    overlay_.end();
+    if (overlay_.is_being_used()) widget_frames_ = std::max(widget_frames_, 2);
+    if (view_.rendition.analyzer.kind == Analyzer::Kind::linear) view_.rendition.analyzer.angle = view_.analyzer_angle;
+    if (widget_frames_ > 0) {
+        --widget_frames_;
+        must_present_ = true;
+    }
+}
+
+void Viewer::look_around_pointer() {
+    light_.reset();
+    surface_.reset();
+    if (!preferences_.panels || !shown_.inspector) return;
+    const glm::ivec2 size = picture_size();
+    const bool polarization = view_.rendition.polarization != comparing_;
+    if (region_) {
+        const glm::vec2 low = glm::min((*region_)[0], (*region_)[1]), high = glm::max((*region_)[0], (*region_)[1]);
+        light_ = canvas_.look_at(glm::ivec2(low), glm::ivec2(high) + 1, size, polarization);
+        return;
+    }
+    const glm::vec2 place = window_.pointer();
+    if (place.x < 0 || place.y < 0 || place.x >= static_cast<float>(size.x) || place.y >= static_cast<float>(size.y))
+        return;
+    light_ = canvas_.look_at(glm::ivec2(place), glm::ivec2(place) + 1, size, polarization);
+    surface_ = seen_surface(*scene_, *rays_, view_.camera.position,
+                            ray_direction(view_.camera, size.x, size.y, place.x, place.y));
+}
+
+void Viewer::draw() {
+    const double begin = frame_begin_ = seconds_now();
+    const bool in_motion = moving();
+    const glm::ivec2 size = picture_size();
+    const int shrink = in_motion && resolution_.half() ? 2 : 1;
+    Picture& picture = canvas_.picture();
+    picture.look(view_.camera, (size.x + shrink - 1) / shrink, (size.y + shrink - 1) / shrink);
+    const bool drawn = drawing_wanted();
+    const Rendition needed = Canvas::needed(view_, comparing_);
+    if (drawn) {
+        picture.draw(1, needed);
+        improved_ = true;
+    }
+    const bool due = begin - last_present_ >= seconds_between_presents;
+    const bool running = session_.engine() && session_.engine()->progress().running;
+    const bool better = improved_ && (picture.draws(needed) >= draws_to_present_);
+    if (must_present_ || in_motion || (due && (better || running))) {
+        present();
+    } else if (drawn) {
+        picture.finish();
+    }
+    const double took = seconds_now() - begin;
+    pause_ = !in_motion && drawn && took > slow_frame ? 3 * took : 0;
+    if (in_motion && drawn) {
+        resolution_.frame_took(took);
+        frame_seconds_ = took;
+    }
+    save_pending();
+}
+
+void Viewer::present() {
+    must_present_ = improved_ = false;
+    last_present_ = seconds_now();
+    const glm::ivec2 whole = window_.framebuffer_size(), size = picture_size();
+    Screen::window(whole.x, whole.y).bind();
+    look_around_pointer();
+    Caption caption{scene_->name, view_.camera.name, "", true, session_.stale() && canvas_.picture().bins()};
+    for (const Camera& camera : scene_->cameras)
+        if (camera.name == view_.camera.name && !same_pose(camera, view_.camera)) caption.camera += " (moved)";
+    if (caption.dimmed)
+        caption.status = "stale: the change is being traced";
+    else if (!session_.trouble().empty())
+        caption.status = session_.trouble();
+    else if (shown_.notice_until > seconds_now())
+        caption.status = shown_.notice;
+    else if (session_.paused())
+        caption.status = "paused";
+    else if (!preferences_.panels && session_.engine())
+        caption.status = with_magnitude(static_cast<double>(session_.engine()->progress().photons)) + " photons";
+    canvas_.present(Screen::window(size.x, size.y), view_, comparing_, caption);
+    Screen::window(whole.x, whole.y).bind();
+    overlay_.draw();
+    if (wanted_capture_) write_png(*std::exchange(wanted_capture_, {}), Screen::window(whole.x, whole.y).read());
+    window_.swap();
+    if (replay_) replay_->presented(1000 * (seconds_now() - frame_begin_), stage_);
+}
+
+void Viewer::want_picture(const std::string& kind, bool legend) {
+    for (int number = 1; number < 10000; ++number) {
+        const std::string path = scene_->name + "-" + view_.camera.name + "-" + std::to_string(number) + kind;
+        if (std::filesystem::exists(path)) continue;
+        wanted_picture_ = path;
+        picture_with_legend_ = legend;
+        return notice("saving " + path);
+    }
+}
+
+void Viewer::save_pending() {
+    if (!wanted_picture_ || drawing_wanted() || moving()) return;
+    const std::string path = *wanted_picture_;
+    wanted_picture_.reset();
+    try {
+        if (is_exr(path)) {
+            write_stokes_exr(path, canvas_.stokes(view_.rendition.polarization));
+        } else {
+            const glm::ivec2 size = picture_size();
+            const Screen screen = Screen::off_screen(size.x, size.y);
+            canvas_.present(screen, view_, false, {scene_->name, view_.camera.name, "", picture_with_legend_, false});
+            write_png(path, screen.read());
+        }
+        notice("saved " + std::filesystem::absolute(path).string());
+    } catch (const std::exception& error) {
+        shown_.complaint = error.what();
+    }
+    must_present_ = true;
 }
 
 }  // namespace brewster

@@ -1,30 +1,112 @@
 #pragma once
-#include <functional>
+#include <array>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "app/canvas.h"
+#include "app/motion_resolution.h"
+#include "app/navigation.h"
+#include "app/options.h"
+#include "app/overlay.h"
+#include "app/panels/desk.h"
+#include "app/replay.h"
+#include "app/scene_file.h"
+#include "app/session.h"
+#include "app/state.h"
 #include "app/window.h"
-#include "bins/snapshot.h"
-#include "scene/scene.h"
 
 namespace brewster {
 
-/// What the viewer asks of whoever fills the bins, from its own thread and often.
-struct LightSource {
-    std::function<std::shared_ptr<const Snapshot>()> snapshot;  ///< the newest, or null before the first
-    std::function<std::string()> progress;                      ///< one line for people
-};
+/// The window's loop: takes what a person does, lets the session and the canvas follow, draws only when something has
+/// changed. viewer.cpp holds the loop and the drawing, actions.cpp what keys and the mouse do.
+class Viewer {
+  public:
+    /// `started`: the program, on the clock of seconds_now.
+    Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOptions& options, double started);
+    ~Viewer();
 
-struct ViewerOptions {
-    std::string camera;             ///< to begin with; empty: the first of the file
-    std::optional<float> exposure;  ///< EV; none: from what the first camera of the file sees
-    bool legend = true;
-};
+    /// Until the window is closed or Ctrl+Q is pressed. False if a script found something that is not as it expected.
+    bool run();
 
-/// Shows the scene in the window until it is closed or Ctrl+Q is pressed. Mouse: see Navigation. N and Shift+N: next
-/// and previous camera of the file; Home: back to where the camera stands in the file. Draws only when something has
-/// changed, and at rest until the mean of 64 jittered draws is reached; then it waits.
-void view(Window& window, const Scene& scene, const LightSource& light, const ViewerOptions& options);
+  private:
+    // actions.cpp
+    void handle(const InputEvent& event);
+    void press(const InputEvent& event);
+    void drag_region(const InputEvent& event);
+    void act(Action action, int argument);
+    void go_to(const Camera& camera);
+    void turn_analyzer(double degrees);
+    void pick_material();
+    void frame_selection();
+    void close_topmost();
+    void fly(double seconds);
+    void notice(const std::string& text);
+
+    // viewer.cpp
+    void take_file();
+    void take_bins();
+    void make_widgets();
+    void look_around_pointer();
+    void draw();
+    void present();
+    /// A picture of that kind (".png", ".exr") under a new name, as soon as what is seen is complete.
+    void want_picture(const std::string& kind, bool legend);
+    void save_pending();
+    void set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces);
+    void wait();
+    double patience() const;
+    bool moving() const;
+    bool drawing_wanted() const;
+    glm::ivec2 picture_size() const;
+    Desk desk();
+    std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const;
+
+    // scripted.cpp
+    Stage make_stage();
+    void record(const InputEvent& event);
+
+    Window& window_;
+    Overlay overlay_;
+    SceneFile file_;
+    Session session_;
+    std::shared_ptr<const Scene> scene_;
+    std::unique_ptr<Rays> rays_;
+    Canvas canvas_;
+    Navigation navigation_;
+    MotionResolution resolution_;
+
+    Sight view_;
+    std::array<std::optional<Sight>, 9> kept_views_;
+    Preferences preferences_;
+    Preferences written_preferences_;
+    Shown shown_;
+    std::string home_camera_;
+
+    std::optional<SeenLight> light_;
+    std::optional<SeenSurface> surface_;
+    std::optional<std::array<glm::vec2, 2>> region_;  ///< corners in pixels
+    bool dragging_region_ = false, comparing_ = false, exposure_settled_ = false, quit_ = false;
+    std::string held_fly_keys_;
+    std::optional<std::string> wanted_picture_;  ///< a file to be written as soon as the picture is complete
+    bool picture_with_legend_ = true;
+
+    double started_;
+    std::unique_ptr<Replay> replay_;
+    Stage stage_;
+    std::ofstream record_;
+    double last_recorded_ = 0;
+    std::optional<std::string> wanted_capture_;  ///< a file to be written with the next frame
+
+    std::uint64_t shown_generation_ = 0;  ///< whose materials are shown
+    std::uint64_t bins_generation_ = 0;   ///< whose light
+    bool must_present_ = true, improved_ = false, hidden_ = false;
+    int draws_to_present_ = 1;
+    int widget_frames_ = 2;  ///< frames that widgets still want, to answer what was done
+    double last_motion_ = -1e9, last_present_ = -1e9, last_look_at_file_ = 0, last_step_ = 0, last_press_ = -1e9;
+    glm::vec2 last_press_place_{0.0f};
+    double frame_seconds_ = 0, frame_begin_ = 0, pause_ = 0;
+};
 
 }  // namespace brewster

@@ -101,4 +101,8 @@ float FontAtlas::width(std::string_view utf8) const {
     return sum;
 }
 
+std::string_view font_file() {
+    return embedded::dejavu_sans();
+}
+
 }  // namespace brewster

@@ -37,4 +37,7 @@ class FontAtlas {
     float ascent_ = 0;
 };
 
+/// DejaVu Sans as a TrueType file, for those who make glyphs of their own.
+std::string_view font_file();
+
 }  // namespace brewster

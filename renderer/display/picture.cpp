@@ -49,7 +49,7 @@ bool same_view(const Camera& a, const Camera& b) {
 }  // namespace
 
 Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
-    : scene_(scene),
+    : scene_(&scene),
       storage_(texel_storage(largest_buffer_texture)),
       upload_(storage_),
       polarizes_(needs_of(scene).stokes > 1),
@@ -57,9 +57,14 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
       passages_(scene),
       textures_(scene),
       mesh_(scene) {
+    write_materials();
+    check_gl("picture of " + scene.name);
+}
+
+void Picture::write_materials() {
     std::vector<glm::vec4> texels;
-    for (const Chart& chart : scene.charts) {
-        const Material& material = scene.materials[chart.material];
+    for (const Chart& chart : scene_->charts) {
+        const Material& material = scene_->materials[chart.material];
         texels.emplace_back(material.albedo, 0.0f);
         texels.emplace_back(material.emission, 0.0f);
         const bool coloured = material.base == Base::lambert || material.base == Base::polarized_diffuse;
@@ -73,11 +78,22 @@ Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
     }
     materials_.reserve(texels.size());
     materials_.write(0, texels.size(), texels.data());
+}
+
+void Picture::repaint(const Scene& scene) {
+    BREWSTER_CHECK(scene.charts.size() == scene_->charts.size(), scene.name);
+    scene_ = &scene;
+    passages_ = PassageTable(scene);
+    const bool polarizes = needs_of(scene).stokes > 1;
+    if (polarizes != polarizes_) layers_ = {};
+    polarizes_ = polarizes;
+    write_materials();
+    forget();
     check_gl("picture of " + scene.name);
 }
 
 void Picture::show(std::shared_ptr<const Snapshot> bins) {
-    BREWSTER_CHECK(bins && bins->charts.size() == scene_.charts.size(), scene_.name);
+    BREWSTER_CHECK(bins && bins->charts.size() == scene_->charts.size(), scene_->name);
     upload_.submit(std::move(bins));
 }
 
@@ -133,7 +149,7 @@ void Picture::draw(int count, const Rendition& rendition) {
     for (const Part part : {polarized, unpolarized, cells})
         if (wanted[part])
             while (layer(part).draws() < aim) draw_part(part);
-    check_gl("picture of " + scene_.name);
+    check_gl("picture of " + scene_->name);
 }
 
 int Picture::draws(const Rendition& rendition) const {
@@ -153,7 +169,7 @@ void Picture::draw_part(Part part) {
 
 void Picture::draw_charts(const Program& program, Part part, int index) const {
     const glm::vec2 offset = jitter(index);
-    const float far_distance = 1.01f * (glm::length(camera_.position) + scene_.radius());
+    const float far_distance = 1.01f * (glm::length(camera_.position) + scene_->radius());
     program.set("view_projection", view_projection(camera_, width_, height_, offset.x, offset.y, far_distance));
     program.set("eye", camera_.position);
     if (part != cells) {  // which have neither world nor light

@@ -32,6 +32,10 @@ class Picture {
     /// Keeps a reference to the scene. `largest_buffer_texture` in texels makes the driver's limit smaller (for tests).
     explicit Picture(const Scene& scene, std::size_t largest_buffer_texture = all_bytes);
 
+    /// The same surfaces with other materials: what display itself works out of them shows in the next draw. Keeps a
+    /// reference to this scene instead. The draws so far are forgotten.
+    void repaint(const Scene& scene);
+
     /// The bins to draw next, made for this scene. The old ones stay until the new are uploaded.
     void show(std::shared_ptr<const Snapshot> bins);
     /// Uploads at most so many bytes. True when other bins are drawn from now on: the draws so far are forgotten.
@@ -43,6 +47,8 @@ class Picture {
 
     /// From where and how large; another camera or size forgets the draws so far.
     void look(const Camera& camera, int width, int height);
+    int width() const { return width_; }
+    int height() const { return height_; }
 
     /// Adds draws of what the rendition looks at: one world, both, or the cells; each has a mean of its own, so that going
     /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the
@@ -76,10 +82,12 @@ class Picture {
     void draw_charts(const Program& program, Part part, int index) const;
     void forget();
 
-    const Scene& scene_;
+    void write_materials();
+
+    const Scene* scene_;
     TexelStorage storage_;
     BinUpload upload_;
-    const bool polarizes_;  // some surface does, so pictures have S1, S2, S3
+    bool polarizes_;  // some surface does, so pictures have S1, S2, S3
     TexelArray materials_;
     PassageTable passages_;
     AlbedoTextures textures_;

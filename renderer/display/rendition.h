@@ -32,6 +32,8 @@ struct Rendition {
     float exposure = 0;        ///< EV
     Palette palette = Palette::blue_orange;
 
+    friend bool operator==(const Rendition&, const Rendition&) = default;
+
     /// The difference always looks at both worlds.
     bool shows_polarized_world() const { return polarization || map == Map::difference; }
     bool shows_unpolarized_world() const { return !polarization || map == Map::difference; }

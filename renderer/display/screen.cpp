@@ -1,6 +1,7 @@
 #include "display/screen.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/error.h"
@@ -34,6 +35,17 @@ void Screen::bind() const {
 void Screen::clear() const {
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Screen::clip(float from, float to) const {
+    const auto left = static_cast<int>(std::lround(from * static_cast<float>(width_)));
+    const auto right = static_cast<int>(std::lround(to * static_cast<float>(width_)));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left, 0, right - left, height_);
+}
+
+void Screen::unclip() const {
+    glDisable(GL_SCISSOR_TEST);
 }
 
 ScreenImage Screen::read() const {

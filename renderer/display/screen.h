@@ -15,6 +15,9 @@ class Screen {
 
     void bind() const;
     void clear() const;  ///< to black; it must be bound
+    /// Until `unclip`, only columns from one share of the width to another are drawn to.
+    void clip(float from, float to) const;
+    void unclip() const;
     ScreenImage read() const;
 
   private:

@@ -23,7 +23,7 @@ BinUpload::BinUpload(TexelStorage storage) : sides_{Side(storage), Side(storage)
 
 void BinUpload::submit(std::shared_ptr<const Snapshot> bins) {
     const std::shared_ptr<const Snapshot>& newest = waiting_ ? waiting_ : arriving_ ? arriving_ : drawn_;
-    if (!newest || newest->version != bins->version) waiting_ = std::move(bins);
+    if (newest != bins) waiting_ = std::move(bins);
 }
 
 void BinUpload::begin() {

@@ -30,6 +30,7 @@ struct Property {
     std::string_view name;  ///< on the command line
     PropertyType type;
     double least, most;     ///< of each number
+    double from, to;        ///< what a slider spans of it
     std::string_view unit;  ///< empty: none
     std::string_view text;  ///< what it is, in a clause
     Change change;

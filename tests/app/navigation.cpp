@@ -151,8 +151,51 @@ TEST_F(NavigationTest, OtherButtonsDoNotDisturbADrag) {
     EXPECT_TRUE(navigation_.dragging());
     navigation_.release();
     EXPECT_FALSE(navigation_.dragging());
-    navigation_.moved(camera_, event(InputEvent::Kind::button_press, {100, 100}, Button::right), size);
-    EXPECT_FALSE(navigation_.dragging());
+}
+
+TEST_F(NavigationTest, RightDragTurnsWhereOneStands) {
+    const Camera before = camera_;
+    camera_ = navigation_.moved(camera_, event(InputEvent::Kind::button_press, {100, 100}, Button::right), size);
+    EXPECT_TRUE(navigation_.flying());
+    camera_ = navigation_.moved(camera_, event(InputEvent::Kind::motion, {160, 90}), size);
+    expect_near(camera_.position, before.position, 1e-5f);
+    EXPECT_GT(glm::length(camera_.forward - before.forward), 0.1f);
+    navigation_.moved(camera_, event(InputEvent::Kind::button_release, {160, 90}, Button::right), size);
+    EXPECT_FALSE(navigation_.flying());
+}
+
+TEST_F(NavigationTest, APivotIsTurnedAround) {
+    const glm::vec3 pivot(1, 0, 0);
+    navigation_.set_pivot(pivot);
+    const Camera before = camera_;
+    camera_ = navigation_.moved(camera_, event(InputEvent::Kind::button_press, {100, 100}), size);
+    camera_ = navigation_.moved(camera_, event(InputEvent::Kind::motion, {190, 120}), size);
+    EXPECT_NEAR(glm::length(camera_.position - pivot), glm::length(before.position - pivot), 1e-5f);
+}
+
+TEST(Flown, GoesWhereOneLooks) {
+    const Camera before = camera_at({1, 0.5f, 2}, {-0.2f, -0.3f, -1});
+    expect_near(flown(before, {0, 0, 1}, 2).position, before.position + 2.0f * before.forward, 1e-6f);
+    expect_near(flown(before, {-1, 0, 0}, 1).position, before.position - before.right(), 1e-6f);
+}
+
+TEST(Framed, TheSphereJustFits) {
+    const Camera before = camera_at({1, 0.5f, 2}, {-0.2f, -0.3f, -1});
+    const glm::vec3 centre(0.3f, -0.2f, 0.1f);
+    const Camera after = framed(before, centre, 0.5f);
+    EXPECT_LT(glm::length(place_of(after, centre) - 0.5f * glm::vec2(size)), 0.05f);
+    // A point of the sphere's outline as the camera sees it: on the tangent, half the field of view from the middle.
+    const float half = 0.5f * before.vertical_field_of_view;
+    const glm::vec3 tangent = centre + 0.5f * (std::cos(half) * after.up - std::sin(half) * after.forward);
+    EXPECT_NEAR(place_of(after, tangent).y, 0, 0.1f);
+    expect_frame(looking_along(before, {0, -1, 0}, 1));
+    expect_frame(looking_along(before, {1, 0, 0}, 1));
+}
+
+TEST_F(NavigationTest, ReleasedDragsAreForgotten) {
+    navigation_.moved(camera_, event(InputEvent::Kind::button_press, {100, 100}), size);
+    navigation_.release();
+    EXPECT_EQ(navigation_.moved(camera_, event(InputEvent::Kind::motion, {300, 300}), size).position, camera_.position);
 }
 
 TEST(Navigation, WhereNothingIsSeenTheWheelStillMoves) {

@@ -1,0 +1,91 @@
+#include "app/canvas.h"
+
+#include <algorithm>
+
+#include "display/legend.h"
+#include "display/read_light.h"
+
+namespace brewster {
+namespace {
+
+constexpr glm::vec4 veil(0.0f, 0.0f, 0.0f, 0.35f);
+
+Rendition of_world(Rendition rendition, bool polarization) {
+    rendition.polarization = polarization;
+    return rendition;
+}
+
+Rendition shown_world(const Sight& view, bool other_world) {
+    return of_world(view.rendition, view.rendition.polarization != other_world);
+}
+
+}  // namespace
+
+Canvas::Canvas(std::shared_ptr<const Scene> scene)
+    : scene_(std::move(scene)), picture_(std::make_unique<Picture>(*scene_)) {}
+
+void Canvas::repaint(std::shared_ptr<const Scene> scene) {
+    picture_->repaint(*scene);
+    scene_ = std::move(scene);
+    gathered_ = nullptr;
+}
+
+void Canvas::open(std::shared_ptr<const Scene> scene) {
+    auto picture = std::make_unique<Picture>(*scene);
+    picture_ = std::move(picture);
+    scene_ = std::move(scene);
+    gathered_ = nullptr;
+}
+
+void Canvas::show_gathered(std::shared_ptr<const StokesPicture> picture) {
+    gathered_ = std::move(picture);
+    if (gathered_) gathered_light_.upload(*gathered_);
+}
+
+Rendition Canvas::needed(const Sight& view, bool other_world) {
+    Rendition rendition = shown_world(view, other_world);
+    if (view.split && rendition.map != Map::bins) rendition.map = Map::difference;
+    return rendition;
+}
+
+void Canvas::present(const Screen& screen, const Sight& view, bool other_world, const Caption& caption) {
+    // Cells are not gathered.
+    const bool of_rays = gathered_ && view.rendition.map != Map::bins;
+    const LightTextures light = of_rays ? gathered_light_.textures() : picture_->light();
+    if (view.split && view.rendition.map != Map::bins) {
+        screen.clip(0, view.split_at);
+        screen_pass_.show(screen, light, of_world(view.rendition, true));
+        screen.clip(view.split_at, 1);
+        screen_pass_.show(screen, light, of_world(view.rendition, false));
+        screen.unclip();
+    } else {
+        screen_pass_.show(screen, light, shown_world(view, other_world));
+    }
+    const int text_size = std::clamp(screen.height() / 45, 12, 32);
+    if (caption.dimmed)
+        text_.add_rectangle({0, 0}, {static_cast<float>(screen.width()), static_cast<float>(screen.height())}, veil);
+    if (!caption.status.empty())
+        text_.add_label(caption.status, glm::vec2(0.5f * static_cast<float>(text_size)), text_size);
+    text_.draw(screen);
+    if (!caption.legend || !picture_->bins()) return;
+    draw_legend(text_, screen,
+                {shown_world(view, other_world), caption.scene, caption.camera, picture_->bins()->photons});
+}
+
+std::optional<SeenLight> Canvas::look_at(glm::ivec2 low, glm::ivec2 high, glm::ivec2 size, bool polarization) const {
+    low = glm::max(low, glm::ivec2(0));
+    high = glm::min(high, size);
+    if (high.x <= low.x || high.y <= low.y) return {};
+    if (gathered_ && gathered_->width == size.x && gathered_->height == size.y)
+        return seen_light(*gathered_, low, high, polarization);
+    Rendition world;
+    world.polarization = polarization;
+    if (picture_->draws(world) == 0 || picture_->width() != size.x || picture_->height() != size.y) return {};
+    return seen_light(read_light(picture_->light(), size.y, low, high), {0, 0}, high - low, polarization);
+}
+
+Image Canvas::stokes(bool polarization) const {
+    return gathered_ ? stokes_image(*gathered_, polarization) : picture_->stokes(polarization);
+}
+
+}  // namespace brewster

@@ -1,0 +1,62 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/inspection.h"
+#include "app/state.h"
+#include "display/gathered_light.h"
+#include "display/picture.h"
+#include "display/screen.h"
+#include "display/screen_pass.h"
+#include "display/text.h"
+#include "image/stokes_picture.h"
+
+namespace brewster {
+
+/// What stands beside the light in the picture.
+struct Caption {
+    std::string scene, camera;
+    std::string status;  ///< a line at the top; empty: none
+    bool legend = true;
+    bool dimmed = false;  ///< what is shown is of a scene that is no longer
+};
+
+/// The picture in the window: light from the bins, or from rays of the eye where they have been followed, and how it is
+/// shown. Draws, but decides nothing.
+class Canvas {
+  public:
+    explicit Canvas(std::shared_ptr<const Scene> scene);
+
+    /// The same surfaces with other materials, or another scene altogether (what was drawn is lost).
+    void repaint(std::shared_ptr<const Scene> scene);
+    void open(std::shared_ptr<const Scene> scene);
+
+    Picture& picture() { return *picture_; }
+    const Picture& picture() const { return *picture_; }
+
+    /// From now on this is shown, until motion or other bins; null: the bins.
+    void show_gathered(std::shared_ptr<const StokesPicture> picture);
+    const StokesPicture* gathered() const { return gathered_.get(); }
+
+    /// What must have been drawn to show the view: the world that is wanted, or both where they stand side by side.
+    static Rendition needed(const Sight& view, bool other_world);
+
+    void present(const Screen& screen, const Sight& view, bool other_world, const Caption& caption);
+
+    /// The light of the pixels [low, high) of what is shown, whose size in pixels is `size`.
+    std::optional<SeenLight> look_at(glm::ivec2 low, glm::ivec2 high, glm::ivec2 size, bool polarization) const;
+
+    /// What is shown as linear light, for a file.
+    Image stokes(bool polarization) const;
+
+  private:
+    std::shared_ptr<const Scene> scene_;
+    std::unique_ptr<Picture> picture_;
+    std::shared_ptr<const StokesPicture> gathered_;
+    GatheredLight gathered_light_;
+    ScreenPass screen_pass_;
+    Text text_;
+};
+
+}  // namespace brewster

@@ -1,0 +1,80 @@
+#pragma once
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/engine.h"
+#include "scene/scene.h"
+
+namespace brewster {
+
+/// A scene that is looked at, with the engine that traces it, and all the scenes it was before. A change of the scene
+/// starts a new generation: an engine of its own, made beside the window. Of changes that come while one is being made
+/// only the last counts. For the window's thread; never blocks it but for a moment.
+class Session {
+  public:
+    Session(std::shared_ptr<const Scene> scene, const EngineSettings& settings, const StopRule& rule);
+    ~Session();
+
+    const std::shared_ptr<const Scene>& scene() const { return scene_; }  ///< as changed last
+    Engine* engine() const { return engine_.get(); }  ///< null while the first is made, or where no lamp gives light
+    /// Grows with every change of the scene and every restart.
+    std::uint64_t generation() const { return generation_; }
+    /// The bins of the present generation, or null before its first that are good enough to be shown: an estimated error
+    /// below 15 %, or all there is 100 ms after the change.
+    std::shared_ptr<const Snapshot> snapshot() const;
+    /// What is shown belongs to a scene that is no longer.
+    bool stale() const { return !ready_; }
+    /// Milliseconds from the last change to the first bins to show; none yet.
+    std::optional<double> replaced_after_ms() const { return replaced_after_ms_; }
+
+    /// Looks whether a new engine or its first bins are there.
+    void advance();
+
+    /// The scene with something changed. The first of a row that undo takes back as one begins a `new_step`.
+    void change(std::shared_ptr<const Scene> changed, bool new_step);
+    bool can_undo() const { return !done_.empty(); }
+    bool can_redo() const { return !undone_.empty(); }
+    void undo();
+    void redo();
+    /// Another scene altogether: nothing to undo.
+    void open(std::shared_ptr<const Scene> scene);
+
+    void restart();  ///< from the first photon
+    void pause();
+    void resume();
+    bool paused() const { return paused_; }
+    void set_target_error(std::optional<double> error);
+    const StopRule& rule() const { return rule_; }
+
+    /// Why there is no engine, or why it ended; empty otherwise.
+    const std::string& trouble() const { return trouble_; }
+
+  private:
+    struct Made {
+        std::unique_ptr<Engine> engine;
+        std::string trouble;
+    };
+
+    void begin_generation();
+    void make();
+    void retire(std::unique_ptr<Engine> engine);
+
+    std::shared_ptr<const Scene> scene_;
+    EngineSettings settings_;
+    StopRule rule_;
+    std::unique_ptr<Engine> engine_;
+    std::uint64_t generation_ = 1, making_generation_ = 0;
+    std::future<Made> making_;
+    std::vector<std::future<void>> retiring_;
+    std::vector<std::shared_ptr<const Scene>> done_, undone_;
+    bool paused_ = false, ready_ = false, wanted_ = false;
+    double changed_at_ = 0;
+    std::optional<double> replaced_after_ms_;
+    std::string trouble_;
+};
+
+}  // namespace brewster
