@@ -113,9 +113,9 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 
 void Engine::Impl::work(unsigned index) {
     if (settings.lowest_priority) yield_to_everybody();
-    WorkerSums own(bins);
     const std::unique_ptr<PhotonTracer> tracer = make_tracer(kernel, settings.window);
     std::unique_lock lock(mutex);
+    WorkerSums own(bins);  // a saved solution may replace the trees before the first block
     while (!quit) {
         std::uint64_t begin = 0, end = 0;
         if (handed_over[index] != hand_over) {

@@ -106,7 +106,8 @@ TEST_F(Save, BlocksThatContradictEachOtherAreRefused) {
     int refused = 0;
     for (const std::string& broken : names) {
         const SolutionReader whole(path_);
-        for (const std::size_t byte : {0u, 9u, 40u, 333u, 2000u, 40001u}) {
+        for (const std::size_t byte :
+             slow ? std::vector<std::size_t>{9, 40001} : std::vector<std::size_t>{0, 9, 40, 333, 2000, 40001}) {
             SolutionWriter file;
             for (const std::string& name : names) {
                 ByteReader from = whole.block(name);
@@ -129,7 +130,7 @@ TEST_F(Save, BlocksThatContradictEachOtherAreRefused) {
             }
         }
     }
-    EXPECT_GT(refused, 15);  // what is left changed sums, as a checksum would have said
+    EXPECT_GT(refused, slow ? 4 : 15);  // what is left changed sums, as a checksum would have said
 }
 
 }  // namespace
