@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "backends/imgui_impl_glfw.h"
-#include "backends/imgui_impl_opengl3.h"
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
 #include "base/error.h"
 #include "display/font_atlas.h"
 

@@ -21,7 +21,13 @@ Corners corners_of(const Scene& scene, std::uint32_t triangle) {
     return {glm::dvec3(scene.vertices[v[0]]), glm::dvec3(scene.vertices[v[1]]), glm::dvec3(scene.vertices[v[2]])};
 }
 
+constexpr float widest_margin = 1e-5f;  // barycentric
+
 bool may_be_wall(const Scene& scene, const Triangle& triangle) {
+    // Edges are widened by the margin of hits: where that is not small beside the triangle, far from the scene's middle,
+    // the widening would be seen.
+    const glm::vec3& margin = triangle.margin;
+    if (std::max({margin.x, margin.y, margin.z}) > widest_margin) return false;
     const Chart& chart = scene.charts[triangle.front_chart];
     return !chart.curved && scene.materials[chart.material].alpha_cutoff <= 0;
 }
