@@ -21,7 +21,7 @@ Corners corners_of(const Scene& scene, std::uint32_t triangle) {
     return {glm::dvec3(scene.vertices[v[0]]), glm::dvec3(scene.vertices[v[1]]), glm::dvec3(scene.vertices[v[2]])};
 }
 
-constexpr float widest_margin = 1e-5f;  // barycentric
+constexpr float widest_margin = 1e-4f;  // barycentric
 
 bool may_be_wall(const Scene& scene, const Triangle& triangle) {
     // Edges are widened by the margin of hits: where that is not small beside the triangle, far from the scene's middle,
