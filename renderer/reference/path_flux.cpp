@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/paired_ratio.h"
 #include "reference/light_path.h"
 #include "reference/ordered_blocks.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 struct BlockSums {
     std::array<double, band_count> on{}, off{}, on_squares{}, off_squares{};
-    double on_on = 0, on_off = 0, off_off = 0;  // of the photons' sums over bands
+    PairedRatio ratio;  // of the photons' sums over bands
 };
 
 void add(BlockSums& to, const BlockSums& from) {
@@ -21,18 +22,7 @@ void add(BlockSums& to, const BlockSums& from) {
         to.on_squares[band] += from.on_squares[band];
         to.off_squares[band] += from.off_squares[band];
     }
-    to.on_on += from.on_on;
-    to.on_off += from.on_off;
-    to.off_off += from.off_off;
-}
-
-std::vector<std::vector<bool>> charts_of(const Scene& scene, const std::vector<std::string>& meshes) {
-    std::vector<std::vector<bool>> allowed;
-    for (const std::string& mesh : meshes) {
-        allowed.emplace_back(scene.charts.size(), false);
-        for (const std::uint32_t chart : scene.charts_of(mesh)) allowed.back()[chart] = true;
-    }
-    return allowed;
+    to.ratio.add(from.ratio);
 }
 
 }  // namespace
@@ -40,7 +30,8 @@ std::vector<std::vector<bool>> charts_of(const Scene& scene, const std::vector<s
 PathFlux path_flux(const Surroundings& surroundings, const std::vector<std::string>& meshes, std::uint64_t photons,
                    std::uint64_t seed, unsigned threads) {
     BREWSTER_CHECK(!meshes.empty() && photons > 0, std::to_string(photons));
-    const std::vector<std::vector<bool>> allowed = charts_of(surroundings.scene, meshes);
+    std::vector<std::vector<bool>> allowed;
+    for (const std::string& mesh : meshes) allowed.push_back(surroundings.scene.is_of(mesh));
     const PhotonSource source(surroundings);
     BlockSums sums;
     if (!source.any()) return {};
@@ -68,9 +59,7 @@ PathFlux path_flux(const Surroundings& surroundings, const std::vector<std::stri
             on_sum += x;
             off_sum += y;
         }
-        to.on_on += on_sum * on_sum;
-        to.on_off += on_sum * off_sum;
-        to.off_off += off_sum * off_sum;
+        to.ratio.add(on_sum, off_sum);
     };
     in_ordered_blocks(
         0, photons, 1u << 14, threads,
@@ -83,22 +72,15 @@ PathFlux path_flux(const Surroundings& surroundings, const std::vector<std::stri
 
     PathFlux flux;
     const auto n = static_cast<double>(photons);
-    double on = 0, off = 0;
     const auto error = [&](double mean, double squares) { return std::sqrt((squares / n - mean * mean) / n); };
     for (std::size_t band = 0; band < band_count; ++band) {
         flux.polarized.mean[band] = sums.on[band] / n;
         flux.unpolarized.mean[band] = sums.off[band] / n;
         flux.polarized.standard_error[band] = error(flux.polarized.mean[band], sums.on_squares[band]);
         flux.unpolarized.standard_error[band] = error(flux.unpolarized.mean[band], sums.off_squares[band]);
-        on += sums.on[band];
-        off += sums.off[band];
     }
-    if (off > 0) {
-        // Delta method: variance of sum (x - ratio y) over that of the denominator.
-        flux.ratio = on / off;
-        const double spread = sums.on_on - 2 * flux.ratio * sums.on_off + flux.ratio * flux.ratio * sums.off_off;
-        flux.ratio_standard_error = std::sqrt(std::max(spread, 0.0)) / off;
-    }
+    flux.ratio = sums.ratio.value();
+    flux.ratio_standard_error = sums.ratio.standard_error();
     return flux;
 }
 

@@ -9,20 +9,6 @@
 namespace brewster {
 namespace {
 
-std::vector<double> cumulative_areas(const Scene& scene, const Chart& chart) {
-    std::vector<double> sums;
-    double sum = 0;
-    for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
-        const Triangle& triangle = scene.triangles[chart.first_triangle + i];
-        const glm::dvec3 a(scene.vertices[triangle.vertices[0]]), b(scene.vertices[triangle.vertices[1]]),
-            c(scene.vertices[triangle.vertices[2]]);
-        sums.push_back(sum += 0.5 * glm::length(glm::cross(b - a, c - a)));
-    }
-    for (double& share : sums) share /= sum;
-    sums.back() = 1.0;
-    return sums;
-}
-
 // The point of a triangle for two numbers, by folding the unit square's far half back: barycentric b1, b2.
 // Unlike the square root, this keeps a lattice of numbers a lattice of points.
 std::array<float, 2> fold(float x, float y) {
@@ -34,7 +20,7 @@ std::array<float, 2> fold(float x, float y) {
 
 LampSampler::LampSampler(const Scene& scene) : scene_(scene) {
     for (const Lamp& lamp : scene.lamps) {
-        cumulative_.push_back(lamp.kind == LampKind::area ? cumulative_areas(scene, scene.charts[lamp.chart])
+        cumulative_.push_back(lamp.kind == LampKind::area ? scene.area_shares(scene.charts[lamp.chart])
                                                           : std::vector<double>{});
         suns_.push_back(lamp.kind == LampKind::sun
                             ? sun_rectangle(scene.low, scene.high, lamp.direction, lamp.angular_radius)

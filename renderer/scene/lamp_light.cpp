@@ -13,21 +13,6 @@ namespace {
 
 constexpr std::uint32_t no_lamp = std::numeric_limits<std::uint32_t>::max();
 
-std::vector<double> cumulative_areas(const Scene& scene, const Chart& chart) {
-    std::vector<double> sums;
-    double sum = 0;
-    for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
-        const Triangle& triangle = scene.triangles[chart.first_triangle + i];
-        const Vector<double> a = vector_of(scene.vertices[triangle.vertices[0]]);
-        const Vector<double> normal = cross(vector_of(scene.vertices[triangle.vertices[1]]) - a,
-                                            vector_of(scene.vertices[triangle.vertices[2]]) - a);
-        sums.push_back(sum += 0.5 * std::sqrt(dot(normal, normal)));
-    }
-    for (double& share : sums) share /= sum;
-    sums.back() = 1;
-    return sums;
-}
-
 std::size_t index_of(const std::vector<double>& cumulative, double x) {
     const auto at = std::upper_bound(cumulative.begin(), cumulative.end() - 1, x);
     return static_cast<std::size_t>(at - cumulative.begin());
@@ -74,7 +59,7 @@ LampLights::LampLights(const Scene& scene) : scene_(scene), lamp_of_chart_(scene
         const Lamp& lamp = scene.lamps[i];
         choice_.push_back(static_cast<double>(lamp.mean_power()) / total);
         cumulative_.push_back(sum += choice_.back());
-        triangle_areas_.push_back(lamp.kind == LampKind::area ? cumulative_areas(scene, scene.charts[lamp.chart])
+        triangle_areas_.push_back(lamp.kind == LampKind::area ? scene.area_shares(scene.charts[lamp.chart])
                                                               : std::vector<double>{});
         if (lamp.kind == LampKind::area) lamp_of_chart_[lamp.chart] = i;
         if (lamp.kind == LampKind::sun && lamp.angular_radius > 0) discs_.push_back(i);

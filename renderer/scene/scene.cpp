@@ -51,6 +51,26 @@ std::vector<std::uint32_t> Scene::charts_of(const std::string& mesh_name) const 
     throw Error("it has no mesh \"" + mesh_name + "\"", name, "choose one of " + quoted_list(names));
 }
 
+std::vector<bool> Scene::is_of(const std::string& mesh_name) const {
+    std::vector<bool> flags(charts.size());
+    for (const std::uint32_t chart : charts_of(mesh_name)) flags[chart] = true;
+    return flags;
+}
+
+std::vector<double> Scene::area_shares(const Chart& chart) const {
+    std::vector<double> sums;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
+        const Triangle& triangle = triangles[chart.first_triangle + i];
+        const glm::dvec3 a(vertices[triangle.vertices[0]]), b(vertices[triangle.vertices[1]]),
+            c(vertices[triangle.vertices[2]]);
+        sums.push_back(sum += 0.5 * glm::length(glm::cross(b - a, c - a)));
+    }
+    for (double& share : sums) share /= sum;
+    sums.back() = 1.0;
+    return sums;
+}
+
 glm::vec3 Scene::total_power() const {
     glm::vec3 sum(0.0f);
     for (const Lamp& lamp : lamps) sum += lamp.power;

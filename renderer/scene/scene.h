@@ -55,6 +55,12 @@ struct Scene {
     /// The charts of the mesh of that name, both sides; an unknown name is an Error that lists the names there are.
     std::vector<std::uint32_t> charts_of(const std::string& mesh_name) const;
 
+    /// One flag a chart: whether it is of that mesh; as charts_of.
+    std::vector<bool> is_of(const std::string& mesh_name) const;
+
+    /// Of each triangle of a chart, the share of the chart's area up to and with it; ends in 1.
+    std::vector<double> area_shares(const Chart& chart) const;
+
     glm::vec3 total_power() const;  ///< of all lamps, lumen per band
 
     /// Unit, on the front; of the plane that the corners span.

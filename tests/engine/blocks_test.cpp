@@ -2,6 +2,7 @@
 
 #include "engine/engine.h"
 #include "slow.h"
+#include "trace.h"
 #include "transport/rooms.h"
 
 namespace brewster {
@@ -14,11 +15,7 @@ std::string digest_of(const std::shared_ptr<const Scene>& scene, std::uint64_t p
     settings.window = window;
     settings.kernel = kernel;
     Engine engine(scene, settings);
-    StopRule rule;
-    rule.photons = photons;
-    engine.start(rule);
-    engine.wait();
-    EXPECT_TRUE(engine.ledger().balances());
+    trace(engine, photons);
     EXPECT_EQ(engine.progress().photons, photons);
     return engine.digest() + " " + std::to_string(engine.progress().rays) + " rays " +
            std::to_string(engine.progress().bounces) + " bounces " + std::to_string(engine.progress().useful_photons) +

@@ -12,6 +12,7 @@
 #include "engine/outlines.h"
 #include "scene/curved_parts.h"
 #include "slow.h"
+#include "trace.h"
 #include "transport/deposit.h"
 
 namespace brewster {
@@ -84,11 +85,7 @@ Measured measured(const std::shared_ptr<Scene>& scene, std::uint64_t photons) {
         settings.threads = 2;
         settings.seed = static_cast<std::uint64_t>(seed);
         Engine engine(scene, settings);
-        StopRule rule;
-        rule.photons = photons;
-        engine.start(rule);
-        engine.wait();
-        EXPECT_TRUE(engine.ledger().balances());
+        trace(engine, photons);
         EXPECT_EQ(engine.progress().trouble, 0u);
         Light sum{0, 0};
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -210,10 +207,7 @@ TEST(Curved, ThreadsDoNotChangeTheDigest) {
         EngineSettings settings;
         settings.threads = threads;
         Engine engine(scene, settings);
-        StopRule rule;
-        rule.photons = 50000;
-        engine.start(rule);
-        engine.wait();
+        trace(engine, 50000);
         const Ledger ledger = engine.ledger();
         EXPECT_TRUE(ledger.balances());
         EXPECT_NE(ledger.shading[0][0], 0);

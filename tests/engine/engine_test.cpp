@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "bins/lookup.h"
 #include "slow.h"
+#include "trace.h"
 #include "transport/rooms.h"
 
 namespace brewster {
@@ -35,8 +36,7 @@ TEST(Engine, DigestDoesNotDependOnThreads) {
     std::string first;
     for (const unsigned threads : {1u, 2u, 5u}) {
         Engine engine(scene, with_threads(threads));
-        engine.start(photons(some));
-        engine.wait();
+        trace(engine, some);
         if (threads == 1) first = engine.digest();
         EXPECT_EQ(engine.digest(), first) << threads << " threads";
         EXPECT_TRUE(engine.ledger().balances());
@@ -55,8 +55,7 @@ TEST(Engine, DigestDependsOnSeedAndCount) {
             EngineSettings settings = with_threads(2);
             settings.seed = seed;
             Engine engine(scene, settings);
-            engine.start(photons(count));
-            engine.wait();
+            trace(engine, count);
             digests.push_back(engine.digest());
         }
     }
@@ -74,8 +73,7 @@ TEST(Engine, GuidesTheSunThroughTheWindow) {
         EngineSettings settings = with_threads(guided ? 2 : 1);
         settings.guided_emission = guided;
         Engine engine(scene, settings);
-        engine.start(photons(count));
-        engine.wait();
+        trace(engine, count);
         const Ledger ledger = engine.ledger();
         EXPECT_TRUE(ledger.balances());
         emitted[guided] = to_weight(ledger.emitted[1][1]) / static_cast<double>(count);
@@ -93,8 +91,7 @@ TEST(Engine, GuidedDigestDoesNotDependOnThreads) {
     std::string first;
     for (const unsigned threads : {1u, 3u}) {
         Engine engine(scene, with_threads(threads));
-        engine.start(photons(slow ? 30000 : 100000));
-        engine.wait();
+        trace(engine, slow ? 30000 : 100000);
         if (threads == 1) first = engine.digest();
         EXPECT_EQ(engine.digest(), first) << threads << " threads";
     }
@@ -181,8 +178,7 @@ TEST(Engine, MemoryBudgetHolds) {
     settings.bins.memory_bytes = 8u << 20;
     settings.bins.split_z_squared = 1;
     Engine engine(scene, settings);
-    engine.start(photons(400000));
-    engine.wait();
+    trace(engine, 400000);
     EXPECT_LE(engine.progress().bytes, settings.bins.memory_bytes);
     EXPECT_GT(engine.progress().bytes, settings.bins.memory_bytes / 2);
 }
@@ -205,8 +201,7 @@ TEST(Engine, FurnaceCellsDeviateAsTheirErrorBarsSay) {
     settings.bins.fixed_grid_log2 = 4;
     settings.bins.join_corners = false;
     Engine engine(scene, settings);
-    engine.start(photons(slow ? 200000 : 2000000));
-    engine.wait();
+    trace(engine, slow ? 200000 : 2000000);
     const auto bins = engine.snapshot();
     double squares = 0, largest = 0, mean = 0;
     int count = 0;
@@ -235,8 +230,7 @@ TEST(Engine, FurnaceCellsDeviateAsTheirErrorBarsSay) {
 TEST(Engine, FurnaceWallsStayWhole) {
     const auto scene = rooms::read("furnace.gltf");
     Engine engine(scene, with_threads(2));
-    engine.start(photons(some));
-    engine.wait();
+    trace(engine, some);
     for (const ChartBins& chart : engine.snapshot()->charts) {
         EXPECT_EQ(chart.direct_leaves, 1u);
         EXPECT_EQ(chart.indirect_leaves, 1u);

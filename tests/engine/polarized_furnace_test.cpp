@@ -11,6 +11,7 @@
 #include "scene/gltf_builder.h"
 #include "scene/prepared_material.h"
 #include "slow.h"
+#include "trace.h"
 
 namespace brewster {
 namespace {
@@ -32,11 +33,7 @@ struct Furnace {
         settings.seed = seed;
         settings.kernel = KernelChoice{4, 3, true};
         Engine engine(scene, settings);
-        StopRule rule;
-        rule.photons = photons;
-        engine.start(rule);
-        engine.wait();
-        EXPECT_TRUE(engine.ledger().balances());
+        brewster::trace(engine, photons);
         EXPECT_EQ(engine.progress().trouble, 0u);
         return engine.snapshot();
     }

@@ -12,6 +12,7 @@
 #include "engine/engine.h"
 #include "shared/bin_layout.h"
 #include "slow.h"
+#include "trace.h"
 #include "transport/rooms.h"
 
 namespace brewster {
@@ -24,10 +25,7 @@ std::shared_ptr<const Snapshot> solve(const std::shared_ptr<const Scene>& scene,
     settings.seed = seed;
     settings.bins = bins;
     Engine engine(scene, settings);
-    StopRule rule;
-    rule.photons = photons;
-    engine.start(rule);
-    engine.wait();
+    trace(engine, photons);
     return engine.snapshot();
 }
 

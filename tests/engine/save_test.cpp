@@ -7,6 +7,7 @@
 #include "engine/engine.h"
 #include "engine/saved_settings.h"
 #include "slow.h"
+#include "trace.h"
 #include "transport/rooms.h"
 
 namespace brewster {
@@ -20,13 +21,6 @@ class Save : public ::testing::Test {
         path_ = (folder_ / "a.bins").string();
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    static void trace(Engine& engine, std::uint64_t photons) {
-        StopRule rule;
-        rule.photons = photons;
-        engine.start(rule);
-        engine.wait();
-    }
 
     std::filesystem::path folder_;
     std::string path_;

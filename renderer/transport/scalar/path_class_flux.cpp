@@ -1,9 +1,9 @@
 #include "transport/scalar/path_class_flux.h"
 
-#include <cmath>
 #include <span>
 
 #include "base/check.h"
+#include "base/paired_ratio.h"
 #include "transport/scalar/trace_photon.h"
 
 namespace brewster {
@@ -45,12 +45,9 @@ PathClassFlux path_class_flux(const TransportContext& context, const std::vector
                               std::uint64_t count) {
     BREWSTER_CHECK(!meshes.empty() && count > 0, std::to_string(count));
     std::vector<std::vector<bool>> allowed;
-    for (const std::string& mesh : meshes) {
-        allowed.emplace_back(context.scene.charts.size(), false);
-        for (const std::uint32_t chart : context.scene.charts_of(mesh)) allowed.back()[chart] = true;
-    }
+    for (const std::string& mesh : meshes) allowed.push_back(context.scene.is_of(mesh));
     PathClassFlux flux;
-    double on_on = 0, on_off = 0, off_off = 0, on = 0, off = 0;
+    PairedRatio ratio;
     for (std::uint64_t photon = 0; photon < count; ++photon) {
         FullFlight flight;
         if (!arrives(context, allowed, photon, flight)) continue;
@@ -63,18 +60,10 @@ PathClassFlux path_class_flux(const TransportContext& context, const std::vector
             polarized += with;
             unpolarized += without;
         }
-        on += polarized;
-        off += unpolarized;
-        on_on += polarized * polarized;
-        on_off += polarized * unpolarized;
-        off_off += unpolarized * unpolarized;
+        ratio.add(polarized, unpolarized);
     }
-    if (off > 0) {
-        // Delta method: variance of sum (x - ratio y) over that of the denominator.
-        flux.ratio = on / off;
-        flux.ratio_standard_error =
-            std::sqrt(std::max(on_on - 2 * flux.ratio * on_off + flux.ratio * flux.ratio * off_off, 0.0)) / off;
-    }
+    flux.ratio = ratio.value();
+    flux.ratio_standard_error = ratio.standard_error();
     return flux;
 }
 
