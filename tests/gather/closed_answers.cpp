@@ -3,6 +3,7 @@
 #include "gather/gather_test.h"
 #include "optics/random_light.h"
 #include "reference/hand_made.h"
+#include "reference/two_mirrors.h"
 #include "scene/bsdf.h"
 #include "scene/test_materials.h"
 #include "scene/vectors.h"
@@ -20,27 +21,8 @@ std::uint32_t scaled(std::uint32_t draws) {
 }
 
 /// Through a view so narrow that no randomness is left.
-StokesPicture look_straight(HandMade& room, const Camera& camera) {
-    const auto scene = room.finish();
+StokesPicture look_straight(const std::shared_ptr<const Scene>& scene, const Camera& camera) {
     return gathered(scene, even_bins(*scene, 0, 0), camera, 2, 2, 4);
-}
-
-/// Two smooth faces of index n met at `theta`, the second plane of incidence turned by `psi`, a lamp of radiance 1
-/// behind.
-StokesPicture two_mirrors(double n, double theta, double psi) {
-    HandMade room;
-    const auto mirror = room.add(test_materials::dielectric(Base::black, glm::vec3(static_cast<float>(n))));
-    const auto lamp = room.add(emitter(glm::vec3(1.0f)));
-    // From the camera down to the first face, up to the second, on to the lamp.
-    const glm::dvec3 first(std::sin(theta), 0, -std::cos(theta)), second(std::sin(theta), 0, std::cos(theta));
-    const glm::dvec3 in_plane(-std::cos(theta), 0, std::sin(theta)), across(0, 1, 0);
-    const glm::dvec3 normal =
-        -std::cos(theta) * second + std::sin(theta) * (std::cos(psi) * in_plane + std::sin(psi) * across);
-    const glm::dvec3 third = second - 2.0 * glm::dot(second, normal) * normal;
-    room.square("first", glm::dvec3(0.0), {0, 0, 1}, 0.5, mirror);
-    room.square("second", 4.0 * second, normal, 0.5, mirror);
-    room.square("lamp", 4.0 * second + 4.0 * third, -third, 1, lamp);
-    return look_straight(room, looking(-4.0 * first, glm::dvec3(0.0), 0.01));
 }
 
 double first_value(const StokesPicture& picture, Plane plane) {
@@ -54,7 +36,8 @@ TEST(GatherClosedAnswers, TwoReflections) {
             for (const double psi : {0.0, radians(45), radians(90)}) {
                 const auto at = dielectric_interface(std::cos(theta), n);
                 const double a = at.reflection.a, b = at.reflection.b;
-                const StokesPicture picture = two_mirrors(n, theta, psi);
+                const TwoMirrors mirrors = two_mirrors(n, theta, psi);
+                const StokesPicture picture = look_straight(mirrors.scene, mirrors.camera);
                 EXPECT_NEAR(first_value(picture, Plane::s0), a * a + b * b * std::cos(2 * psi), 1e-4 * a * a);
                 EXPECT_NEAR(first_value(picture, Plane::unpolarized), a * a, 1e-4 * a * a);
             }
@@ -92,7 +75,7 @@ StokesPicture through_filters(const std::vector<Material>& filters) {
     room.square("lamp", {0, 0, -9}, {0, 0, 1}, 2, lamp);
     for (std::size_t k = 0; k < filters.size(); ++k)
         room.square("filter", {0, 0, -1 - static_cast<double>(k)}, {0, 0, 1}, 0.5, room.add(filters[k]));
-    return look_straight(room, looking({0, 0, 1}, {0, 0, -1}, 0.01));
+    return look_straight(room.finish(), looking({0, 0, 1}, {0, 0, -1}, 0.01));
 }
 
 /// Malus with a third polarizer between crossed ones, 1/2 cos^2 t sin^2 t (theory 6); without polarization each passes

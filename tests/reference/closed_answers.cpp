@@ -7,6 +7,7 @@
 #include "reference/hand_made.h"
 #include "reference/path_flux.h"
 #include "reference/reference.h"
+#include "reference/two_mirrors.h"
 #include "scene/test_materials.h"
 
 /// The reference against answers in closed form (theory 6). Every statistical bound is 3.5 standard errors of the
@@ -135,37 +136,24 @@ TEST(ClosedAnswers, ConcentricSpheres) {
     expect_close("outer of two spheres", outside.mean[0] * pi, 0.45161290322580638, outside.error[0] * pi, 1e-3);
 }
 
-/// Two smooth faces of index n met at `theta`, the second plane of incidence turned by `psi`, a lamp of radiance 1
-/// behind: what the camera sees through a narrow view.
-Seen two_mirrors(double n, double theta, double psi, bool polarized) {
-    HandMade room;
-    const auto mirror = room.add(test_materials::dielectric(Base::black, glm::vec3(static_cast<float>(n))));
-    const auto lamp = room.add(emitter(glm::vec3(1.0f)));
-    // Light path backwards: from the camera down to the first face, up to the second, on to the lamp.
-    const glm::dvec3 first(std::sin(theta), 0, -std::cos(theta)), second(std::sin(theta), 0, std::cos(theta));
-    const glm::dvec3 in_plane(-std::cos(theta), 0, std::sin(theta)), across(0, 1, 0);
-    const glm::dvec3 normal =
-        -std::cos(theta) * second + std::sin(theta) * (std::cos(psi) * in_plane + std::sin(psi) * across);
-    const glm::dvec3 third = second - 2.0 * glm::dot(second, normal) * normal;
-    room.square("first", glm::dvec3(0.0), {0, 0, 1}, 0.5, mirror);
-    room.square("second", 4.0 * second, normal, 0.5, mirror);
-    room.square("lamp", 4.0 * second + 4.0 * third, -third, 1, lamp);
-    const auto scene = room.finish();
-    return render(*scene, looking(-4.0 * first, glm::dvec3(0.0), 0.01), 4, 2, polarized);
+/// What the camera sees of them through a narrow view.
+Seen seen_in_two_mirrors(double n, double theta, double psi, bool polarized) {
+    const TwoMirrors mirrors = two_mirrors(n, theta, psi);
+    return render(*mirrors.scene, mirrors.camera, 4, 2, polarized);
 }
 
 /// scene_checks.json, two_equal_reflections and double_brewster: no randomness is left, float coordinates are (1e-5).
 TEST(ClosedAnswers, TwoReflections) {
     const double brewster = std::atan(1.5);
-    EXPECT_NEAR(two_mirrors(1.5, radians(30), 0, true).mean[0], 1.9889546006017059e-3, 2e-8);
-    EXPECT_NEAR(two_mirrors(1.5, radians(30), radians(45), true).mean[0], 1.7241284679279697e-3, 2e-8);
-    EXPECT_NEAR(two_mirrors(1.5, radians(60), radians(45), true).mean[0], 7.9542697404643855e-3, 8e-8);
-    EXPECT_NEAR(two_mirrors(1.5, radians(60), radians(90), true).mean[0], 3.1817078961857542e-4, 2e-8);
-    EXPECT_NEAR(two_mirrors(1.5, brewster, 0, true).mean[0], 0.010941493645180491, 1e-7);
-    EXPECT_NEAR(two_mirrors(1.5, brewster, radians(90), true).mean[0], 0, 1e-8);
-    EXPECT_NEAR(two_mirrors(1.5, brewster, radians(90), false).mean[0], 5.4707468225902454e-3, 1e-7);
-    EXPECT_NEAR(two_mirrors(10, std::atan(10.0), radians(90), false).mean[0], 0.23077847114965471, 1e-5);
-    EXPECT_NEAR(two_mirrors(10, std::atan(10.0), std::acos(0.01), true).mean[0], 4.6155694229930942e-5, 1e-7);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, radians(30), 0, true).mean[0], 1.9889546006017059e-3, 2e-8);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, radians(30), radians(45), true).mean[0], 1.7241284679279697e-3, 2e-8);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, radians(60), radians(45), true).mean[0], 7.9542697404643855e-3, 8e-8);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, radians(60), radians(90), true).mean[0], 3.1817078961857542e-4, 2e-8);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, brewster, 0, true).mean[0], 0.010941493645180491, 1e-7);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, brewster, radians(90), true).mean[0], 0, 1e-8);
+    EXPECT_NEAR(seen_in_two_mirrors(1.5, brewster, radians(90), false).mean[0], 5.4707468225902454e-3, 1e-7);
+    EXPECT_NEAR(seen_in_two_mirrors(10, std::atan(10.0), radians(90), false).mean[0], 0.23077847114965471, 1e-5);
+    EXPECT_NEAR(seen_in_two_mirrors(10, std::atan(10.0), std::acos(0.01), true).mean[0], 4.6155694229930942e-5, 1e-7);
 }
 
 /// Between parallel faces (theory 6): after N reflections DoP = (Rs^N - Rp^N)/(Rs^N + Rp^N), polarized along s.
