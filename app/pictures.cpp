@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "app/suggestion.h"
 #include "base/error.h"
+#include "base/log.h"
 #include "display/gathered_light.h"
 #include "display/legend.h"
 #include "display/osmesa_context.h"
@@ -65,6 +66,15 @@ void write_cameras(const Scene& scene, const std::vector<CameraRecord>& records)
         throw Error("cannot be written", path.string(), "check that the folder has room");
 }
 
+/// Bins lie on surfaces; only the eye's own rays bend and lose light on their way through one.
+void warn_of_what_bins_see_through(const Scene& scene) {
+    std::string names;
+    for (const Material& material : scene.materials)
+        if (material.base == Base::transparent) names += (names.empty() ? "\"" : ", \"") + material.name + "\"";
+    if (!names.empty())
+        log_warning("pictures from bins look straight through " + names + "; --gather on follows the light");
+}
+
 }  // namespace
 
 PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished) {
@@ -88,7 +98,10 @@ PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot
     const ScreenPass screen_pass;
     GatheredLight gathered;
     std::optional<EyePictures> eye;
-    if (options.gather) eye.emplace(scene, bins, options);
+    if (options.gather)
+        eye.emplace(scene, bins, options);
+    else
+        warn_of_what_bins_see_through(scene);
     picture.show(std::move(bins));
     picture.upload();
 

@@ -182,8 +182,6 @@ Material read_material(const GltfMaterial& from, std::size_t index, std::vector<
     set_interface_and_base(material, from, subject, warnings);
     set_filter(material, from.surface);
 
-    if (material.base == Base::transparent && material.filter.kind == FilterKind::none)
-        warnings.push_back(subject + "light passes it, but pictures from bins look straight through it");
     if (from.alpha_mode == "BLEND") warnings.push_back(subject + "its alpha mode BLEND is not simulated; it is opaque");
     return material;
 }

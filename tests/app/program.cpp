@@ -127,6 +127,20 @@ TEST(Program, ShotWritesEveryCameraWhereAskedFor) {
     EXPECT_EQ(report["solve"]["photons"], 20000);
 }
 
+// Only pictures that look straight through glass say so.
+TEST(Program, ShotSaysWhatItLooksStraightThrough) {
+    const std::string folder = fresh_folder();
+    for (const std::string gather : {"on", "off"}) {
+        const ProcessResult result =
+            brewster({"shot", BREWSTER_SOURCE_DIR "/assets/scenes/shop-window.gltf", "--photons", "5000", "--size",
+                      "16x12", "--samples", "1", "--camera", "straight", "--gather", gather, "--out", "{camera}.png"},
+                     folder);
+        EXPECT_EQ(result.exit_code, 0) << result.errors;
+        EXPECT_EQ(result.errors.find("straight through \"pane\"") != std::string::npos, gather == "off")
+            << result.errors;
+    }
+}
+
 TEST(Program, ShotComparesWithItself) {
     const std::string folder = fresh_folder();
     const std::vector<std::string> shot = {"shot",   cornell_box, "--photons", "2e4",   "--samples", "2",
