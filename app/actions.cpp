@@ -5,6 +5,7 @@
 
 #include "app/clock.h"
 #include "app/seen_point.h"
+#include "app/view_text.h"
 #include "app/viewer.h"
 
 namespace brewster {
@@ -101,6 +102,50 @@ void Viewer::press(const InputEvent& event) {
 void Viewer::go_to(const Camera& camera) {
     view_.camera = camera;
     navigation_.release();
+}
+
+std::string Viewer::words() const {
+    View view;
+    const glm::ivec2 size = picture_size();
+    view.camera = view_.camera.name;
+    const bool of_file = std::any_of(scene_->cameras.begin(), scene_->cameras.end(), [this](const Camera& camera) {
+        return camera.name == view_.camera.name && same_pose(camera, view_.camera);
+    });
+    if (!of_file) view.pose = pose_of(*scene_, view_.camera);
+    view.size = PictureSize{size.x, size.y};
+    view.exposure = static_cast<double>(view_.rendition.exposure);
+    view.map = view_.rendition.map;
+    view.palette = view_.rendition.palette;
+    view.analyzer = view_.rendition.analyzer;
+    view.polarization = view_.rendition.polarization;
+    view.gather = view_.gather;
+    view.samples = TakenPicture::draws;
+    if (session_.engine()) view.seed = session_.engine()->settings().seed;
+    return view_text(view);
+}
+
+void Viewer::go_to_words(const std::string& text) {
+    try {
+        const View view = parse_view(text);
+        const float near_distance = view_.camera.near_distance;
+        go_to(camera_of(*scene_, view));
+        view_.camera.near_distance = near_distance;
+        Rendition& rendition = view_.rendition;
+        if (view.exposure) {
+            rendition.exposure = static_cast<float>(*view.exposure);
+            exposure_settled_ = true;
+        }
+        if (view.map) rendition.map = *view.map;
+        if (view.palette) rendition.palette = *view.palette;
+        if (view.polarization) rendition.polarization = *view.polarization;
+        if (view.gather) view_.gather = *view.gather;
+        if (view.analyzer) {
+            rendition.analyzer = *view.analyzer;
+            view_.analyzer_angle = view.analyzer->angle;
+        }
+    } catch (const std::exception& error) {
+        shown_.complaint = std::string("the clipboard holds no view: ") + error.what();
+    }
 }
 
 void Viewer::turn_analyzer(double degrees) {
@@ -219,6 +264,9 @@ void Viewer::act(Action action, int argument) {
             go_to(looking_along(view_.camera, forward[static_cast<std::size_t>(argument)], scene_->radius()));
             break;
         }
+        case Action::gather:
+            view_.gather = !view_.gather;
+            break;
         case Action::pause:
             session_.paused() ? session_.resume() : session_.pause();
             break;
@@ -243,6 +291,13 @@ void Viewer::act(Action action, int argument) {
             break;
         case Action::redo:
             session_.can_redo() ? session_.redo() : notice("there is nothing to do again");
+            break;
+        case Action::copy_view:
+            window_.set_clipboard(words());
+            notice("the view is in the clipboard; brewster shot --view takes it");
+            break;
+        case Action::paste_view:
+            go_to_words(window_.clipboard());
             break;
         case Action::help:
             shown_.help = !shown_.help;

@@ -21,6 +21,19 @@ Rendition shown_world(const Sight& view, bool other_world) {
 
 }  // namespace
 
+void show_sight(const ScreenPass& screen_pass, const Screen& screen, const LightTextures& light, const Sight& view,
+                bool other_world) {
+    if (view.split && view.rendition.map != Map::bins) {
+        screen.clip(0, view.split_at);
+        screen_pass.show(screen, light, of_world(view.rendition, true));
+        screen.clip(view.split_at, 1);
+        screen_pass.show(screen, light, of_world(view.rendition, false));
+        screen.unclip();
+    } else {
+        screen_pass.show(screen, light, shown_world(view, other_world));
+    }
+}
+
 Canvas::Canvas(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)), picture_(std::make_unique<Picture>(*scene_)) {}
 
@@ -37,9 +50,10 @@ void Canvas::open(std::shared_ptr<const Scene> scene) {
     gathered_ = nullptr;
 }
 
-void Canvas::show_gathered(std::shared_ptr<const StokesPicture> picture) {
+void Canvas::show_gathered(std::shared_ptr<const StokesPicture> picture, std::uint64_t photons) {
     gathered_ = std::move(picture);
-    if (gathered_) gathered_light_.upload(*gathered_);
+    gathered_photons_ = photons;
+    gathered_light_.upload(*gathered_);
 }
 
 Rendition Canvas::needed(const Sight& view, bool other_world) {
@@ -52,15 +66,7 @@ void Canvas::present(const Screen& screen, const Sight& view, bool other_world, 
     // Cells are not gathered.
     const bool of_rays = gathered_ && view.rendition.map != Map::bins;
     const LightTextures light = of_rays ? gathered_light_.textures() : picture_->light();
-    if (view.split && view.rendition.map != Map::bins) {
-        screen.clip(0, view.split_at);
-        screen_pass_.show(screen, light, of_world(view.rendition, true));
-        screen.clip(view.split_at, 1);
-        screen_pass_.show(screen, light, of_world(view.rendition, false));
-        screen.unclip();
-    } else {
-        screen_pass_.show(screen, light, shown_world(view, other_world));
-    }
+    show_sight(screen_pass_, screen, light, view, other_world);
     const int text_size = std::clamp(screen.height() / 45, 12, 32);
     if (caption.dimmed)
         text_.add_rectangle({0, 0}, {static_cast<float>(screen.width()), static_cast<float>(screen.height())}, veil);
@@ -69,7 +75,8 @@ void Canvas::present(const Screen& screen, const Sight& view, bool other_world, 
     text_.draw(screen);
     if (!caption.legend || !picture_->bins()) return;
     draw_legend(text_, screen,
-                {shown_world(view, other_world), caption.scene, caption.camera, picture_->bins()->photons});
+                {shown_world(view, other_world), caption.scene, caption.camera,
+                 of_rays ? gathered_photons_ : picture_->bins()->photons});
 }
 
 std::optional<SeenLight> Canvas::look_at(glm::ivec2 low, glm::ivec2 high, glm::ivec2 size, bool polarization) const {
@@ -82,10 +89,6 @@ std::optional<SeenLight> Canvas::look_at(glm::ivec2 low, glm::ivec2 high, glm::i
     world.polarization = polarization;
     if (picture_->draws(world) == 0 || picture_->width() != size.x || picture_->height() != size.y) return {};
     return seen_light(read_light(picture_->light(), size.y, low, high), {0, 0}, high - low, polarization);
-}
-
-Image Canvas::stokes(bool polarization) const {
-    return gathered_ ? stokes_image(*gathered_, polarization) : picture_->stokes(polarization);
 }
 
 }  // namespace brewster

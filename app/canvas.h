@@ -22,6 +22,10 @@ struct Caption {
     bool dimmed = false;  ///< what is shown is of a scene that is no longer
 };
 
+/// The light in one world, or in both side by side, on the screen.
+void show_sight(const ScreenPass& screen_pass, const Screen& screen, const LightTextures& light, const Sight& view,
+                bool other_world);
+
 /// The picture in the window: light from the bins, or from rays of the eye where they have been followed, and how it is
 /// shown. Draws, but decides nothing.
 class Canvas {
@@ -35,8 +39,9 @@ class Canvas {
     Picture& picture() { return *picture_; }
     const Picture& picture() const { return *picture_; }
 
-    /// From now on this is shown, until motion or other bins; null: the bins.
-    void show_gathered(std::shared_ptr<const StokesPicture> picture);
+    /// From now on this is shown, which ends in bins of so many photons, until the bins are to be shown again.
+    void show_gathered(std::shared_ptr<const StokesPicture> picture, std::uint64_t photons);
+    void show_bins() { gathered_ = nullptr; }
     const StokesPicture* gathered() const { return gathered_.get(); }
 
     /// What must have been drawn to show the view: the world that is wanted, or both where they stand side by side.
@@ -47,13 +52,11 @@ class Canvas {
     /// The light of the pixels [low, high) of what is shown, whose size in pixels is `size`.
     std::optional<SeenLight> look_at(glm::ivec2 low, glm::ivec2 high, glm::ivec2 size, bool polarization) const;
 
-    /// What is shown as linear light, for a file.
-    Image stokes(bool polarization) const;
-
   private:
     std::shared_ptr<const Scene> scene_;
     std::unique_ptr<Picture> picture_;
     std::shared_ptr<const StokesPicture> gathered_;
+    std::uint64_t gathered_photons_ = 0;
     GatheredLight gathered_light_;
     ScreenPass screen_pass_;
     Text text_;

@@ -24,6 +24,7 @@ enum class Action {
     home,
     frame,
     look_along,  ///< argument: 0 front, 1 right, 2 top, 3 back, 4 left
+    gather,
     pause,
     restart,
     inspector,
@@ -32,6 +33,8 @@ enum class Action {
     open,
     undo,
     redo,
+    copy_view,
+    paste_view,
     help,
     full_screen,
     picture,  ///< argument: 0 with its legend, 1 without

@@ -24,10 +24,7 @@ Stage Viewer::make_stage() {
         session_.change(std::move(changed), true);
     };
     stage.open = [this](const std::string& path) { file_.open(path); };
-    stage.save = [this](const std::string& path) {
-        wanted_picture_ = path;
-        picture_with_legend_ = true;
-    };
+    stage.save = [this](const std::string& path) { take_picture(path, true); };
     stage.capture = [this](const std::string& path) {
         wanted_capture_ = path;
         must_present_ = true;
@@ -47,6 +44,7 @@ Stage Viewer::make_stage() {
             {"angle", view_.analyzer_angle},
             {"exposure", rendition.exposure},
             {"split", view_.split},
+            {"gather", view_.gather},
             {"camera", view_.camera.name},
             {"eye", {eye.x, eye.y, eye.z}},
             {"moving", moving()},
@@ -69,7 +67,7 @@ Stage Viewer::make_stage() {
             {"complaint", shown_.complaint},
             {"notice", shown_.notice},
             {"undo", session_.can_undo()},
-            {"saving", wanted_picture_.has_value()},
+            {"saving", taken_ != nullptr},
             {"dolp", light_ ? light_->dolp() : -1.0},
             {"radiance", light_ ? light_->mean()[0] : -1.0},
             {"surface", surface_ ? scene_->charts[surface_->chart].mesh : ""}};

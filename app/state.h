@@ -15,6 +15,7 @@ namespace brewster {
 struct Sight {
     Camera camera;
     Rendition rendition;
+    bool gather = true;         ///< at rest, rays of the eye's own
     bool split = false;         ///< polarization on to the left, off to the right
     float split_at = 0.5f;      ///< share of the picture's width
     double analyzer_angle = 0;  ///< degrees; kept while the analyzer is off
@@ -33,7 +34,8 @@ inline bool same_pose(const Camera& a, const Camera& b) {
 }
 inline bool operator==(const Sight& a, const Sight& b) {
     return same_pose(a.camera, b.camera) && a.camera.name == b.camera.name && a.rendition == b.rendition &&
-           a.split == b.split && a.split_at == b.split_at && a.analyzer_angle == b.analyzer_angle;
+           a.gather == b.gather && a.split == b.split && a.split_at == b.split_at &&
+           a.analyzer_angle == b.analyzer_angle;
 }
 
 /// What is kept from one start of the program to the next.

@@ -12,7 +12,6 @@
 #include "app/preferences.h"
 #include "app/seen_point.h"
 #include "app/trace.h"
-#include "image/exr.h"
 #include "image/png.h"
 
 namespace brewster {
@@ -20,6 +19,8 @@ namespace {
 
 constexpr double rest_after = 0.15;                // seconds without motion
 constexpr double seconds_between_presents = 0.25;  // at rest
+constexpr double gather_after = 0.3;               // seconds without motion
+constexpr double gather_bins_after = 2;            // seconds after their first photons
 constexpr double seconds_between_file_looks = 1;
 constexpr double seconds_between_snapshots = 0.5;
 /// New bins begin a new mean. Until it has so many draws the old picture stays, so that edges do not flicker, and no
@@ -94,11 +95,14 @@ bool Viewer::run() {
         make_widgets();
         if (!same_pose(before.camera, view_.camera)) {
             last_motion_ = seconds_now();
-            canvas_.show_gathered(nullptr);
+            gatherer_.stop();
+            canvas_.show_bins();
         }
         if (!(before == view_)) must_present_ = true;
         take_bins();
+        gather_at_rest();
         draw();
+        advance_taken_picture();
     }
     return !replay_ || !replay_->failed();
 }
@@ -118,6 +122,7 @@ double Viewer::patience() const {
     if (must_present_ || widget_frames_ > 0 || moving() || navigation_.flying() || !canvas_.picture().uploaded())
         return 0;
     if (drawing_wanted()) return pause_;
+    if (taken_) return taken_->of_rays() ? 0.05 : 0;
     if (session_.stale() || file_.reading()) return 0.005;
     const bool tracing = session_.engine() && session_.engine()->progress().running;
     return tracing ? seconds_between_presents : seconds_between_file_looks;
@@ -129,7 +134,12 @@ bool Viewer::moving() const {
 
 bool Viewer::drawing_wanted() const {
     const Picture& picture = canvas_.picture();
-    return picture.draws(Canvas::needed(view_, comparing_)) < (picture.bins() ? Picture::full_draws : 1);
+    const int wanted = !picture.bins() ? 1 : gathering() ? draws_before_change : Picture::full_draws;
+    return picture.draws(Canvas::needed(view_, comparing_)) < wanted;
+}
+
+bool Viewer::gathering() const {
+    return view_.gather && view_.rendition.map != Map::bins;
 }
 
 glm::ivec2 Viewer::picture_size() const {
@@ -173,6 +183,7 @@ void Viewer::take_file() {
 }
 
 void Viewer::set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces) {
+    gatherer_.stop();
     if (same_surfaces) {
         canvas_.repaint(scene);
     } else {
@@ -193,10 +204,15 @@ void Viewer::take_bins() {
     const bool first = !picture.bins();
     const Rendition wanted = Canvas::needed(view_, comparing_);
     const bool replaced = session_.generation() != bins_generation_;
-    if (first || replaced || moving() || picture.draws(wanted) >= draws_before_change) {
+    // What rays show does not wait for bins; they are taken up again with the first motion.
+    const bool idle = canvas_.gathered() && !replaced && !moving();
+    if (first || replaced || moving() || (!idle && picture.draws(wanted) >= draws_before_change)) {
         if (std::shared_ptr<const Snapshot> bins = session_.snapshot()) {
             picture.show(std::move(bins));
-            if (replaced) must_present_ = true;
+            if (replaced) {
+                must_present_ = true;
+                bins_since_ = seconds_now();
+            }
             bins_generation_ = session_.generation();
         }
     }
@@ -282,6 +298,28 @@ void Viewer::look_around_pointer() {
                             ray_direction(view_.camera, size.x, size.y, place.x, place.y));
 }
 
+void Viewer::gather_at_rest() {
+    const glm::ivec2 size = picture_size();
+    const bool fits = canvas_.gathered() && canvas_.gathered()->width == size.x && canvas_.gathered()->height == size.y;
+    if (canvas_.gathered() && (!fits || !gathering())) {
+        canvas_.show_bins();
+        must_present_ = true;
+    }
+    const bool still = seconds_now() - last_motion_ >= gather_after && !navigation_.dragging();
+    // At first photons double faster than rays could follow.
+    const bool ripe = seconds_now() - bins_since_ >= gather_bins_after ||
+                      (session_.engine() && !session_.engine()->progress().running);
+    const auto bins = session_.snapshot();
+    if (!gathering() || !still || !ripe || taken_ || !bins || bins_generation_ != session_.generation())
+        return gatherer_.stop();
+    gatherer_.want(scene_, bins, view_.camera, size.x, size.y);
+    if (std::optional<GatheredPicture> gathered = gatherer_.take()) {
+        canvas_.show_gathered(std::move(gathered->light), gathered->photons);
+        improved_ = true;
+        draws_to_present_ = 1;
+    }
+}
+
 void Viewer::draw() {
     const double begin = frame_begin_ = seconds_now();
     const bool in_motion = moving();
@@ -309,7 +347,6 @@ void Viewer::draw() {
         resolution_.frame_took(took);
         frame_seconds_ = took;
     }
-    save_pending();
 }
 
 void Viewer::present() {
@@ -342,30 +379,32 @@ void Viewer::present() {
 void Viewer::want_picture(const std::string& kind, bool legend) {
     for (int number = 1; number < 10000; ++number) {
         const std::string path = scene_->name + "-" + view_.camera.name + "-" + std::to_string(number) + kind;
-        if (std::filesystem::exists(path)) continue;
-        wanted_picture_ = path;
-        picture_with_legend_ = legend;
-        return notice("saving " + path);
+        if (!std::filesystem::exists(path)) return take_picture(path, legend);
     }
 }
 
-void Viewer::save_pending() {
-    if (!wanted_picture_ || drawing_wanted() || moving()) return;
-    const std::string path = *wanted_picture_;
-    wanted_picture_.reset();
+void Viewer::take_picture(const std::string& path, bool legend) {
+    const auto bins = session_.snapshot();
+    if (!bins) return notice("there is no light yet to take a picture of");
+    if (taken_) return notice("still saving " + taken_->path());
+    const glm::ivec2 size = picture_size();
+    const std::uint64_t seed = session_.engine()->settings().seed;
+    notice("saving " + path);
+    // Rays at rest would only be in its way.
+    gatherer_.stop();
+    taken_ =
+        std::make_unique<TakenPicture>(TakenPicture::Order{path, scene_, bins, view_, size.x, size.y, seed, legend});
+}
+
+void Viewer::advance_taken_picture() {
+    if (!taken_) return;
     try {
-        if (is_exr(path)) {
-            write_stokes_exr(path, canvas_.stokes(view_.rendition.polarization));
-        } else {
-            const glm::ivec2 size = picture_size();
-            const Screen screen = Screen::off_screen(size.x, size.y);
-            canvas_.present(screen, view_, false, {scene_->name, view_.camera.name, "", picture_with_legend_, false});
-            write_png(path, screen.read());
-        }
-        notice("saved " + std::filesystem::absolute(path).string());
+        if (!taken_->advance()) return;
+        notice("saved " + std::filesystem::absolute(taken_->path()).string());
     } catch (const std::exception& error) {
         shown_.complaint = error.what();
     }
+    taken_.reset();
     must_present_ = true;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/canvas.h"
+#include "app/gatherer.h"
 #include "app/motion_resolution.h"
 #include "app/navigation.h"
 #include "app/options.h"
@@ -15,6 +16,7 @@
 #include "app/scene_file.h"
 #include "app/session.h"
 #include "app/state.h"
+#include "app/taken_picture.h"
 #include "app/window.h"
 
 namespace brewster {
@@ -42,6 +44,8 @@ class Viewer {
     void frame_selection();
     void close_topmost();
     void fly(double seconds);
+    std::string words() const;  ///< the view as text
+    void go_to_words(const std::string& text);
     void notice(const std::string& text);
 
     // viewer.cpp
@@ -49,16 +53,19 @@ class Viewer {
     void take_bins();
     void make_widgets();
     void look_around_pointer();
+    void gather_at_rest();
     void draw();
     void present();
-    /// A picture of that kind (".png", ".exr") under a new name, as soon as what is seen is complete.
+    /// A picture of what is seen, of that kind (".png", ".exr"), under a new name.
     void want_picture(const std::string& kind, bool legend);
-    void save_pending();
+    void take_picture(const std::string& path, bool legend);
+    void advance_taken_picture();
     void set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces);
     void wait();
     double patience() const;
     bool moving() const;
     bool drawing_wanted() const;
+    bool gathering() const;
     glm::ivec2 picture_size() const;
     Desk desk();
     std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const;
@@ -74,6 +81,7 @@ class Viewer {
     std::shared_ptr<const Scene> scene_;
     std::unique_ptr<Rays> rays_;
     Canvas canvas_;
+    Gatherer gatherer_;
     Navigation navigation_;
     MotionResolution resolution_;
 
@@ -89,8 +97,7 @@ class Viewer {
     std::optional<std::array<glm::vec2, 2>> region_;  ///< corners in pixels
     bool dragging_region_ = false, comparing_ = false, exposure_settled_ = false, quit_ = false;
     std::string held_fly_keys_;
-    std::optional<std::string> wanted_picture_;  ///< a file to be written as soon as the picture is complete
-    bool picture_with_legend_ = true;
+    std::unique_ptr<TakenPicture> taken_;  ///< on its way into a file
 
     double started_;
     std::unique_ptr<Replay> replay_;
@@ -104,6 +111,7 @@ class Viewer {
     bool must_present_ = true, improved_ = false, hidden_ = false;
     int draws_to_present_ = 1;
     int widget_frames_ = 2;  ///< frames that widgets still want, to answer what was done
+    double bins_since_ = 0;  ///< when the first bins of the generation came
     double last_motion_ = -1e9, last_present_ = -1e9, last_look_at_file_ = 0, last_step_ = 0, last_press_ = -1e9;
     glm::vec2 last_press_place_{0.0f};
     double frame_seconds_ = 0, frame_begin_ = 0, pause_ = 0;

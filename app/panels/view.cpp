@@ -36,9 +36,12 @@ void view_panel(Desk& desk) {
         ImGui::EndCombo();
     }
     ImGui::PopItemWidth();
+    ImGui::Checkbox("rays of the eye's own at rest (G)", &view.gather);
     if (ImGui::Button("fit exposure (=)")) desk.act(Action::fit_exposure, 0);
     ImGui::SameLine();
     if (ImGui::Button("home (Home)")) desk.act(Action::home, 0);
+    ImGui::SameLine();
+    if (ImGui::Button("copy view")) desk.act(Action::copy_view, 0);
     ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
     static float percent = 100;
     if (!ImGui::IsAnyItemActive()) percent = 100 * desk.preferences.text_scale;

@@ -1,0 +1,149 @@
+#include "app/gatherer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "app/priority.h"
+#include "app/window.h"
+#include "gather/gather.h"
+
+namespace brewster {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A picture of bins alone is smooth, so few draws of rays are no improvement on it but where it is wrong.
+constexpr std::uint32_t first_draws_of_smooth = 16, first_draws_of_sharp = 4;
+constexpr int shares_of_leisure = 5;  // one for the eye, four for the photons
+
+bool has_what_bins_cannot_show(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+        return material.base == Base::transparent || material.interface.present();
+    });
+}
+
+bool same_picture(const Camera& a, int width, int height, const Camera& b, int other_width, int other_height) {
+    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
+           a.vertical_field_of_view == b.vertical_field_of_view && width == other_width && height == other_height;
+}
+
+}  // namespace
+
+struct Gatherer::Eye {
+    explicit Eye(std::shared_ptr<const Scene> seen)
+        : scene(std::move(seen)), gather(std::make_shared<EyeScene>(*scene)) {}
+
+    std::shared_ptr<const Scene> scene;
+    Gather gather;
+};
+
+Gatherer::Gatherer() {
+    worker_ = std::jthread([this](const std::stop_token& quit) { work(quit); });
+}
+
+Gatherer::~Gatherer() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    worker_.request_stop();
+    work_to_do_.notify_all();
+    worker_.join();
+}
+
+void Gatherer::want(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Snapshot>& bins,
+                    const Camera& camera, int width, int height) {
+    const bool same = presented_ && presented_->scene == scene &&
+                      same_picture(camera, width, height, presented_->camera, presented_->width, presented_->height) &&
+                      presented_->bins->photons <= bins->photons;
+    presented_ = Wish{scene, bins, camera, width, height};
+    const std::lock_guard lock(mutex_);
+    newest_ = bins;
+    if (!same) {
+        wish_ = presented_;
+        ready_ = {};
+        stop_ = true;
+    }
+    work_to_do_.notify_all();
+}
+
+void Gatherer::stop() {
+    if (!presented_) return;
+    presented_.reset();
+    const std::lock_guard lock(mutex_);
+    wish_.reset();
+    ready_ = {};
+    stop_ = true;
+    work_to_do_.notify_all();
+}
+
+std::optional<GatheredPicture> Gatherer::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(ready_, {});
+}
+
+void Gatherer::work(const std::stop_token& quit) {
+    lower_priority(Priority::lowest);
+    while (!quit.stop_requested()) {
+        Wish wish;
+        {
+            std::unique_lock lock(mutex_);
+            if (!work_to_do_.wait(lock, quit, [this] { return wish_.has_value(); })) return;
+            wish = *std::exchange(wish_, std::nullopt);
+            stop_ = quit.stop_requested();
+        }
+        gather(wish);
+    }
+}
+
+// Also where a thread that draws at its leisure rests: four times as long as it has worked.
+bool Gatherer::asked_to_stop() {
+    thread_local Clock::time_point last = Clock::now();
+    if (at_leisure_) {
+        const auto worked = std::min<Clock::duration>(Clock::now() - last, std::chrono::milliseconds(10));
+        if (!stop_) std::this_thread::sleep_for((shares_of_leisure - 1) * worked);
+    }
+    last = Clock::now();
+    return stop_.load(std::memory_order_relaxed);
+}
+
+void Gatherer::gather(const Wish& wish) {
+    if (!eye_ || eye_->scene != wish.scene) eye_ = std::make_unique<Eye>(wish.scene);
+    Gather& gather = eye_->gather;
+    gather.show(wish.bins);
+    gather.look(wish.camera, wish.width, wish.height);
+    const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    std::shared_ptr<const Snapshot> bins = wish.bins;
+    std::uint64_t photons = bins->photons;
+    double shown = 0;
+    while (true) {
+        const double before = gather.draws();
+        if (before == 0) photons = bins->photons;
+        if (before < most_draws) {
+            const std::uint32_t draws = std::max(1u, 2 * static_cast<std::uint32_t>(std::lround(before)));
+            at_leisure_ = draws > full_draws;
+            if (!gather.draw(draws, threads, [this] { return asked_to_stop(); })) return;
+            // A picture of newer bins has to become as complete as the one that is shown.
+            const double least = has_what_bins_cannot_show(*wish.scene) ? first_draws_of_sharp : first_draws_of_smooth;
+            if (gather.draws() >= std::max(least, 0.9 * std::min<double>(shown, full_draws))) {
+                shown = gather.draws();
+                auto light = std::make_shared<const StokesPicture>(gather.picture());
+                const std::lock_guard lock(mutex_);
+                if (stop_) return;
+                ready_ = GatheredPicture{std::move(light), photons};
+                Window::wake();
+            }
+        }
+        std::unique_lock lock(mutex_);
+        if (gather.draws() >= most_draws)  // nothing to do before the photons have doubled
+            work_to_do_.wait(lock, [&] { return stop_ || newest_->photons / 2 > photons; });
+        if (stop_) return;
+        bins = newest_;
+        lock.unlock();
+        gather.show(bins);
+    }
+}
+
+}  // namespace brewster
