@@ -2,20 +2,16 @@
 
 #include <array>
 
+#include "gather/first_look.h"
+
 namespace brewster {
 
 std::optional<Hit> seen_hit(const Rays& rays, glm::vec3 eye, glm::vec3 direction) {
-    constexpr int most_backs = 64;
-    std::array<Ray, 1> ray = {Ray{eye, direction, no_triangle}};
+    const std::array<Ray, 1> ray = {Ray{eye, direction, no_triangle}};
     std::array<Hit, 1> hit;
-    for (int back = 0; back < most_backs; ++back) {
-        rays.intersect(ray, hit);
-        if (hit[0].escaped()) return std::nullopt;
-        if (hit[0].chart != no_chart) return hit[0];
-        ray[0].origin = hit[0].position;
-        ray[0].leaving = hit[0].triangle;
-    }
-    return std::nullopt;
+    rays.intersect(ray, hit);
+    look_past_backs(rays, ray, hit);
+    return hit[0].escaped() || hit[0].chart == no_chart ? std::nullopt : std::optional(hit[0]);
 }
 
 std::optional<glm::vec3> seen_point(const Rays& rays, glm::vec3 eye, glm::vec3 direction) {

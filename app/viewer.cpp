@@ -53,6 +53,7 @@ Viewer::Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOpt
       preferences_(read_preferences(config_folder(), shown_.complaint)),
       written_preferences_(preferences_),
       started_(started) {
+    glimpse_.open(scene);
     view_.camera = scene->cameras.front();
     home_camera_ = view_.camera.name;
     if (const auto palette = find_palette(preferences_.palette)) view_.rendition.palette = *palette;
@@ -194,6 +195,7 @@ void Viewer::set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces) {
         region_.reset();
     }
     scene_ = std::move(scene);
+    glimpse_.open(scene_);
     shown_generation_ = session_.generation();
     must_present_ = true;
 }
@@ -327,6 +329,10 @@ void Viewer::draw() {
     const int shrink = in_motion && resolution_.half() ? 2 : 1;
     Picture& picture = canvas_.picture();
     picture.look(view_.camera, (size.x + shrink - 1) / shrink, (size.y + shrink - 1) / shrink);
+    if (!gathering() || !picture.bins())
+        glimpse_.clear(picture);
+    else if (!canvas_.gathered())
+        glimpse_.show(picture, view_.camera, bins_generation_);
     const bool drawn = drawing_wanted();
     const Rendition needed = Canvas::needed(view_, comparing_);
     if (drawn) {

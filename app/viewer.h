@@ -8,6 +8,7 @@
 #include "app/canvas.h"
 #include "app/gatherer.h"
 #include "app/motion_resolution.h"
+#include "app/moving_glimpse.h"
 #include "app/navigation.h"
 #include "app/options.h"
 #include "app/overlay.h"
@@ -84,6 +85,7 @@ class Viewer {
     Gatherer gatherer_;
     Navigation navigation_;
     MotionResolution resolution_;
+    MovingGlimpse glimpse_;
 
     Sight view_;
     std::array<std::optional<Sight>, 9> kept_views_;

@@ -32,11 +32,66 @@ vec2 passage(float material, int band, float cosine) {
     return texture(passages, vec2(x, (3.0 * material + float(band) + 0.5) / rows)).xy;
 }
 
+// A small picture of what bins cannot show: light of the first surface that each of its rays has met, and that
+// surface's chart. Its texels a fragment; 0: there is none.
+uniform usampler2D glimpse_charts;
+uniform sampler2D glimpse_s0;
+uniform sampler2D glimpse_unpolarized;
+#ifdef BREWSTER_STOKES
+uniform sampler2D glimpse_s1;
+uniform sampler2D glimpse_s2;
+uniform sampler2D glimpse_s3;
+#endif
+uniform vec2 glimpse_scale;
+
+// The light of the nearest texels whose rays have met this chart; false where none has. One ray is known to within its
+// own light.
+bool take_glimpse() {
+    vec2 place = gl_FragCoord.xy * glimpse_scale - 0.5;
+    ivec2 low = ivec2(floor(place)), last = textureSize(glimpse_charts, 0) - 1;
+    vec2 part = place - vec2(low);
+    float sum = 0.0;
+    s0 = variance = vec4(0.0);
+#ifdef BREWSTER_STOKES
+    s1 = s2 = s3 = variance_linear = variance_s3 = vec4(0.0);
+#endif
+    for (int k = 0; k < 4; ++k) {
+        ivec2 step = ivec2(k & 1, k >> 1), at = clamp(low + step, ivec2(0), last);
+        if (texelFetch(glimpse_charts, at, 0).x != chart_index) continue;
+        vec2 share = mix(1.0 - part, part, vec2(step));
+        float weight = share.x * share.y + 1e-4;
+        sum += weight;
+        if (unpolarized) {
+            s0.rgb += weight * texelFetch(glimpse_unpolarized, at, 0).rgb;
+        } else {
+            s0.rgb += weight * texelFetch(glimpse_s0, at, 0).rgb;
+#ifdef BREWSTER_STOKES
+            s1.rgb += weight * texelFetch(glimpse_s1, at, 0).rgb;
+            s2.rgb += weight * texelFetch(glimpse_s2, at, 0).rgb;
+            s3.rgb += weight * texelFetch(glimpse_s3, at, 0).rgb;
+#endif
+        }
+    }
+    if (sum == 0.0) return false;
+    s0 = vec4(s0.rgb / sum, 1.0);
+    variance = s0 * s0;
+#ifdef BREWSTER_STOKES
+    s1 /= sum;
+    s2 /= sum;
+    s3 /= sum;
+    variance_linear = max(s1 * s1, s2 * s2);
+    variance_s3 = s3 * s3;
+#endif
+    return true;
+}
+
 void main() {
     uint first = chart_texels * chart_index;
     vec4 tint = color * texture(albedo_texture, texture_place);
-    SeenBins seen = seen_bins(tint.a);
     vec4 look = TEXEL(chart_materials, first + 2u);
+    bool beyond_bins = TEXEL(chart_materials, first + 1u).w > 0.0, hole = look.z <= 1.0 && look.y * tint.a < look.z;
+    if (glimpse_scale.x > 0.0 && beyond_bins && !hole && take_glimpse()) return;
+    SeenBins seen = seen_bins(tint.a);
     vec3 albedo = TEXEL(chart_materials, first).rgb * mix(vec3(1.0), tint.rgb, look.x);
     vec3 inside = TEXEL(chart_materials, first + 3u).rgb;
     vec3 share = albedo / (vec3(1.0) - albedo * inside) * TEXEL(chart_materials, first + 4u).rgb;

@@ -2,7 +2,8 @@
 
 #include "bins.glsl"
 
-// Seven texels a chart: albedo of the base; emission (cd/m2); whether the texture colours it (1 or 0), alpha, the alpha
+// Seven texels a chart: albedo of the base; emission (cd/m2) and whether bins
+// are too coarse for it; whether the texture colours it (1 or 0), alpha, the alpha
 // below which a point is cut out, and its material; reflectance of the interface from inside; what the base sends back
 // for each unit that enters, by albedo 1 and no interface from inside (1/sr); the chart's axes.
 uniform FLOAT_TEXELS chart_materials;

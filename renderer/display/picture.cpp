@@ -66,7 +66,7 @@ void Picture::write_materials() {
     for (const Chart& chart : scene_->charts) {
         const Material& material = scene_->materials[chart.material];
         texels.emplace_back(material.albedo, 0.0f);
-        texels.emplace_back(material.emission, 0.0f);
+        texels.emplace_back(material.emission, material.beyond_bins() ? 1.0f : 0.0f);
         const bool coloured = material.base == Base::lambert || material.base == Base::polarized_diffuse;
         // Transparent surfaces are left out by a cutoff that nothing reaches: bins hold nothing of them.
         const float cutoff = material.base == Base::transparent ? 2.0f : material.alpha_cutoff;
@@ -117,6 +117,18 @@ void Picture::look(const Camera& camera, int width, int height) {
 void Picture::forget() {
     for (std::optional<Layer>& made : layers_)
         if (made) made->forget();
+}
+
+void Picture::show_glimpse(int width, int height, const std::vector<std::uint32_t>& chart,
+                           const std::array<std::vector<glm::vec3>, plane_count>& light) {
+    glimpse_.upload(width, height, chart, light);
+    forget();
+}
+
+void Picture::clear_glimpse() {
+    if (!glimpse_.shows()) return;
+    glimpse_.clear();
+    forget();
 }
 
 Layer& Picture::layer(Part part) {
@@ -178,6 +190,7 @@ void Picture::draw_charts(const Program& program, Part part, int index) const {
         program.set("unpolarized", part == unpolarized ? 1 : 0);
         passages_.bind(program, "passages", BinUpload::units + 1);
     }
+    if (part != cells) glimpse_.bind(program, BinUpload::units + 3, width_, height_);
     if (program.has("camera_up")) program.set("camera_up", camera_.up);
     upload_.bind(program, 0);
     materials_.bind(program, "chart_materials", BinUpload::units);

@@ -7,6 +7,7 @@
 
 #include "display/albedo_textures.h"
 #include "display/chart_mesh.h"
+#include "display/glimpse_light.h"
 #include "display/layer.h"
 #include "display/light_textures.h"
 #include "display/passage_table.h"
@@ -50,6 +51,12 @@ class Picture {
     int width() const { return width_; }
     int height() const { return height_; }
 
+    /// In the next draws, surfaces that bins cannot show (Material::beyond_bins) take their light from this picture of
+    /// the same view, see GlimpseLight::upload. Until it is cleared. Both forget the draws so far.
+    void show_glimpse(int width, int height, const std::vector<std::uint32_t>& chart,
+                      const std::array<std::vector<glm::vec3>, plane_count>& light);
+    void clear_glimpse();
+
     /// Adds draws of what the rendition looks at: one world, both, or the cells; each has a mean of its own, so that going
     /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the
     /// next all over the pixels; 64, or a multiple, see edges best.
@@ -92,6 +99,7 @@ class Picture {
     PassageTable passages_;
     AlbedoTextures textures_;
     ChartMesh mesh_;
+    GlimpseLight glimpse_;
     std::array<std::optional<Layer>, 3> layers_;  // made when first drawn
     Camera camera_;
     int width_ = 0, height_ = 0;

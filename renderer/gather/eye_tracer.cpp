@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/check.h"
+#include "gather/first_look.h"
 #include "gather/shade.h"
 #include "scene/albedo.h"
 #include "scene/filter_axis.h"
@@ -12,7 +13,6 @@
 namespace brewster {
 namespace {
 
-constexpr int most_backs = 256;  // more than that, and it is one surface met again and again by rounding
 /// Relative; positions are floats, and hits are pulled 1e-6 of a chart's size inside its edges.
 constexpr float same_distance = 1e-4f;
 
@@ -125,7 +125,7 @@ class EyeTracer::Batch {
         for (const Segment& segment : segments) s_.rays.push_back(segment.ray);
         s_.hits.resize(segments.size());
         scene_.rays.intersect(s_.rays, s_.hits);
-        if (first_look) look_past_backs();
+        if (first_look) look_past_backs(scene_.rays, s_.rays, s_.hits);
 
         level.size = static_cast<std::uint32_t>(segments.size());
         sort(level);
@@ -161,18 +161,6 @@ class EyeTracer::Batch {
                 const glm::vec4 tint = tint_at(scene, hit.triangle, hit.b1, hit.b2);
                 for (std::size_t band = 0; band < band_count; ++band)
                     level.tint[band][i] = material.tinted_base(band, tint[static_cast<int>(band)]);
-            }
-        }
-    }
-
-    // The eye's own first segment passes through the backs of single-sided surfaces.
-    void look_past_backs() {
-        for (std::size_t i = 0; i < s_.hits.size(); ++i) {
-            Ray ray = s_.rays[i];
-            for (int back = 0; back < most_backs && !s_.hits[i].escaped() && s_.hits[i].chart == no_chart; ++back) {
-                ray.origin = s_.hits[i].position;
-                ray.leaving = s_.hits[i].triangle;
-                scene_.rays.intersect(std::span(&ray, 1), std::span(&s_.hits[i], 1));
             }
         }
     }

@@ -8,7 +8,10 @@
 namespace brewster {
 
 inline constexpr double steepest_slope = 0.8;  ///< m beyond which the lobes' theory does not hold
-inline constexpr double least_index = 1.01;    ///< closer to air, an interface reflects less than 3e-5
+/// Gloss of a smaller slope m, and mirrors, are too narrow for bins: these would need more cells than there are photons.
+/// They are filed coarsely, so that nothing that reflects is black.
+inline constexpr float least_fine_slope = 0.0999f;
+inline constexpr double least_index = 1.01;  ///< closer to air, an interface reflects less than 3e-5
 
 enum class InterfaceKind : std::uint8_t { none, dielectric, conductor };
 enum class Finish : std::uint8_t { smooth, beckmann, kirchhoff };
@@ -51,6 +54,12 @@ struct Material {
     std::uint32_t texture = no_texture;  ///< in Scene::textures: multiplies the base's albedo, and alpha
     float alpha = 1, alpha_cutoff = 0;   ///< cut out where alpha times the texture's is below the cutoff; 0: nowhere
 
+    /// Bins are too coarse to look at: gloss sharper than their finest, mirrors, and what light passes, where one would
+    /// look straight through.
+    bool beyond_bins() const {
+        const bool sharp = interface.finish == Finish::smooth || interface.slope < least_fine_slope;
+        return base == Base::transparent || (interface.present() && sharp);
+    }
     bool emits() const { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
 };
 

@@ -20,9 +20,6 @@ struct GlossCharts {
     std::vector<Outline> outlines(const std::vector<Outline>& of_scene) const;
 };
 
-/// Gloss of a smaller slope m, and mirrors, are too narrow for bins: these would need more cells than there are photons.
-/// They are filed coarsely, so that nothing that reflects is black.
-inline constexpr float least_fine_slope = 0.0999f;
 inline constexpr std::uint32_t coarse_cell = 1u << 19;  // fixed-point: a 32nd of a chart
 
 /// All charts that reflect, but the transparent. `materials`: those of the scene, prepared.

@@ -319,5 +319,45 @@ TEST_F(PictureTest, SizeBeyondTheDriverIsSaid) {
     EXPECT_THROW(picture.look(Camera{}, 0, 10), Error);
 }
 
+// A mirror takes what a glimpse holds of its own chart, wherever one of its texels is near; a wall never does; and once
+// the glimpse is gone, both show their bins.
+TEST_F(PictureTest, GlimpsesStandWhereBinsAreTooCoarse) {
+    Scene scene;
+    Material wall, mirror;
+    wall.albedo = mirror.albedo = glm::vec3(0.0f);
+    wall.emission = glm::vec3(1.0f);
+    mirror.emission = glm::vec3(2.0f);
+    mirror.base = Base::black;
+    mirror.interface.kind = InterfaceKind::conductor;
+    const std::uint32_t left = hand_made::add_rectangle(scene, {-1, -1, 0}, {1, 0, 0}, {0, 2, 0}, wall);
+    const std::uint32_t right = hand_made::add_rectangle(scene, {0, -1, 0}, {1, 0, 0}, {0, 2, 0}, mirror);
+    hand_made::close(scene);
+    Picture picture(scene);
+    picture.show(std::make_shared<const Snapshot>(hand_made::empty_bins(scene)));
+    picture.upload();
+    picture.look(camera_at({0, 0, 1}, {0, 0, -1}, {0, 1, 0}), 8, 8);
+    const auto radiance_at = [&](std::size_t column) {
+        picture.draw();
+        const Image image = picture.stokes();
+        return image.channel(stokes_channel(0, 0))[8 * 3 + column];
+    };
+    EXPECT_FLOAT_EQ(radiance_at(1), 1);
+    EXPECT_FLOAT_EQ(radiance_at(6), 2);
+    // 4 x 4 texels; the light of each is its column.
+    std::vector<std::uint32_t> chart;
+    std::array<std::vector<glm::vec3>, plane_count> light;
+    for (int p = 0; p < 16; ++p) {
+        chart.push_back(p % 4 < 2 ? left : right);
+        for (auto& plane : light) plane.emplace_back(static_cast<float>(10 + p % 4));
+    }
+    picture.show_glimpse(4, 4, chart, light);
+    EXPECT_FLOAT_EQ(radiance_at(1), 1);
+    EXPECT_NEAR(radiance_at(4), 12, 1e-3);     // not of the wall's texel beside it
+    EXPECT_NEAR(radiance_at(5), 12.25, 1e-3);  // a quarter of a texel towards the next
+    EXPECT_NEAR(radiance_at(7), 13, 1e-3);
+    picture.clear_glimpse();
+    EXPECT_FLOAT_EQ(radiance_at(6), 2);
+}
+
 }  // namespace
 }  // namespace brewster
