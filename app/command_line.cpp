@@ -104,10 +104,11 @@ void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, c
     add_whole_number(verb, "--photons", "Stop after N photons (default: " + default_stop + ")", 1, largest_photon_count,
                      [&](std::uint64_t photons) { stop.photons = photons; })
         ->type_name("N");
-    add_number(verb, "--seconds", "Stop after S seconds of tracing", 1e-3, 1e9, [&](double seconds) {
-        stop.seconds = seconds;
-    })->type_name("S");
-    add_number(verb, "--target-error", "Stop at this relative standard error (0.01 is 1 %)", 1e-6, 1,
+    add_number(verb, "--seconds", "Stop after S seconds of tracing (pictures: and drawing)", 1e-3, 1e9,
+               [&](double seconds) { stop.seconds = seconds; })
+        ->type_name("S");
+    add_number(verb, "--target-error",
+               "Stop at this relative standard error (0.01 is 1 %) of the bins (pictures: of their pixels)", 1e-6, 1,
                [&](double error) { stop.target_error = error; })
         ->type_name("E");
     add_threads_and_seed(verb, engine.threads, engine.seed);
@@ -269,8 +270,11 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
     add_size(verb, options.size);
     add_rendition(verb, options.maps, options.palette, options.analyzer);
     add_exposure(verb, options.exposure, "fits the first camera");
-    add_whole_number(verb, "--samples", "Draws for each pixel, on the mean, that a picture is made of (default 64)", 1,
-                     1 << 20, [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
+    add_whole_number(
+        verb, "--samples",
+        "Draws for each pixel, on the mean, that a picture is made of (default 64; what --seconds and --target-error "
+        "need)",
+        1, 1 << 20, [&](std::uint64_t samples) { options.samples = static_cast<int>(samples); })
         ->type_name("J");
     add_polarization(verb, options.polarization);
     verb.add_option_function<std::string>(

@@ -35,7 +35,9 @@ struct ShotOptions {
     Palette palette = Palette::blue_orange;
     Analyzer analyzer;
     std::optional<double> exposure;  ///< EV; none: found from the first camera of the scene
-    int samples = 64;                ///< draws for each pixel, on the mean, that a picture is made of
+    /// Draws for each pixel, on the mean, that a picture is made of; none: default_samples, or as many as seconds and
+    /// target error of a gathered picture let come.
+    std::optional<int> samples;
     bool gather = true;              ///< rays of the eye that end in the bins; else the bins alone
     bool legend = true;              ///< in PNG pictures
     bool ground_truth = false;       ///< EXR pictures also hold what a camera cannot see, and the cameras go to a file
@@ -44,6 +46,7 @@ struct ShotOptions {
 };
 
 inline constexpr int default_picture_height = 480;
+inline constexpr int default_samples = 64;
 
 /// A picture file of linear light, shown as `shot` would show it.
 struct DevelopOptions {

@@ -91,17 +91,13 @@ std::vector<PictureName> plan_pictures(const Scene& scene, const ShotOptions& op
 }
 
 PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
-                              const std::vector<PictureName>& pictures) {
+                              const std::vector<PictureName>& pictures, EyePictures* eye) {
     const OsmesaContext context;
     const std::uint64_t photons = bins->photons;
     Picture picture(scene);
     const ScreenPass screen_pass;
     GatheredLight gathered;
-    std::optional<EyePictures> eye;
-    if (options.gather)
-        eye.emplace(scene, bins, options);
-    else
-        warn_of_what_bins_see_through(scene);
+    if (!eye) warn_of_what_bins_see_through(scene);
     picture.show(std::move(bins));
     picture.upload();
 
@@ -121,7 +117,7 @@ PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot
         const bool from_bins = !eye || rendition.map == Map::bins;
         if (from_bins) {
             picture.look(camera, size.width, size.height);
-            complete(picture, rendition, options.samples);
+            complete(picture, rendition, options.samples.value_or(default_samples));
         }
         if (is_exr(name.path)) {
             Image stokes =

@@ -25,8 +25,9 @@ struct PicturesResult {
     std::optional<GatherResult> gather;  ///< none: drawn from the bins alone
 };
 
-/// Draws the pictures without a display and writes them.
+/// Draws the pictures without a display and writes them; from the bins alone where there is no `eye`, which must have
+/// been shown the bins.
 PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot> bins, const ShotOptions& options,
-                              const std::vector<PictureName>& pictures);
+                              const std::vector<PictureName>& pictures, EyePictures* eye);
 
 }  // namespace brewster

@@ -1,6 +1,7 @@
 #include "app/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/material_summary.h"
@@ -201,9 +202,12 @@ std::string shot_report(const SolveResult& result, const PicturesResult& made,
                         const std::vector<PictureName>& pictures) {
     Json report = {{"pictures", picture_list(pictures)}, {"exposure", made.exposure}, {"solve", solve_object(result)}};
     if (made.gather)
-        report["gather"] = {{"draws", made.gather->draws},
-                            {"seconds", made.gather->seconds},
-                            {"coarse_share", made.gather->coarse_share}};
+        report["gather"] = {
+            {"draws", made.gather->draws},
+            {"seconds", made.gather->seconds},
+            {"coarse_share", made.gather->coarse_share},
+            {"relative_error",
+             {{"draws", std::sqrt(made.gather->error.draws)}, {"bins", std::sqrt(made.gather->error.bins)}}}};
     return text_of(report);
 }
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "app/divided_trace.h"
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/report.h"
@@ -7,6 +10,19 @@
 #include "base/log.h"
 
 namespace brewster {
+namespace {
+
+/// Each camera once, in the order of its pictures.
+std::vector<const Camera*> cameras_of(const Scene& scene, const std::vector<PictureName>& pictures) {
+    std::vector<const Camera*> cameras;
+    for (const PictureName& picture : pictures) {
+        const Camera* camera = &scene.camera(picture.camera);
+        if (std::find(cameras.begin(), cameras.end(), camera) == cameras.end()) cameras.push_back(camera);
+    }
+    return cameras;
+}
+
+}  // namespace
 
 void shot(const ShotOptions& options) {
     if (options.solve.json) log_only_warnings();
@@ -20,8 +36,17 @@ void shot(Engine& engine, const ShotOptions& wished) {
     if (!wished.views.empty()) add_views(with_views.emplace(engine.scene()), options);
     const Scene& scene = with_views ? *with_views : engine.scene();
     const std::vector<PictureName> pictures = plan_pictures(scene, options);
-    if (options.solve.resume.empty()) trace(engine, options.solve.stop);
-    const PicturesResult made = write_pictures(scene, engine.snapshot(), options, pictures);
+    std::optional<EyePictures> eye;
+    if (options.gather) {
+        const std::vector<const Camera*> cameras = cameras_of(scene, pictures);
+        eye.emplace(scene, options);
+        DrawRule rule{options.samples.value_or(default_samples), 0, {}};
+        if (options.solve.resume.empty()) rule = trace_for_pictures(engine, *eye, cameras, options);
+        eye->show(engine.snapshot(), rule, cameras.size());
+    } else if (options.solve.resume.empty()) {
+        trace(engine, options.solve.stop);
+    }
+    const PicturesResult made = write_pictures(scene, engine.snapshot(), options, pictures, eye ? &*eye : nullptr);
 
     if (options.solve.json) {
         print_result(shot_report(result_of(engine), made, pictures));

@@ -59,9 +59,8 @@ std::unique_ptr<Engine> engine_for(const SolveOptions& options) {
     return engine;
 }
 
-void trace(Engine& engine, const StopRule& wished) {
+bool trace_on(Engine& engine, const StopRule& wished) {
     StopRule rule = wished;
-    if (!rule.photons && !rule.seconds && !rule.target_error) rule.photons = default_photons;
     const Progress before = engine.progress();
     if (rule.photons) *rule.photons += before.photons;
     if (rule.seconds) *rule.seconds += before.seconds;
@@ -80,7 +79,10 @@ void trace(Engine& engine, const StopRule& wished) {
     }
     if (on_terminal) std::fputs(clear_line, stderr);
     engine.wait();
+    return !ctrl_c.interrupted();
+}
 
+void finish_trace(const Engine& engine, bool interrupted) {
     const std::uint64_t photons = engine.progress().photons;
     if (photons == 0) {
         throw Error("no photon was traced", engine.scene().name, "give it more time with --photons or --seconds");
@@ -88,7 +90,14 @@ void trace(Engine& engine, const StopRule& wished) {
     for (const std::string& lamp : faint_lamps(engine.scene(), static_cast<double>(photons)))
         log_warning("lamp \"" + lamp + "\" is too faint for " + std::to_string(photons) +
                     " photons; what it lights alone stays dark");
-    if (ctrl_c.interrupted()) log_warning("stopped by a signal; going on with " + std::to_string(photons) + " photons");
+    if (interrupted) log_warning("stopped by a signal; going on with " + std::to_string(photons) + " photons");
+}
+
+void trace(Engine& engine, const StopRule& wished) {
+    StopRule rule = wished;
+    if (!rule.photons && !rule.seconds && !rule.target_error) rule.photons = default_photons;
+    const bool whole = trace_on(engine, rule);
+    finish_trace(engine, !whole);
 }
 
 }  // namespace brewster

@@ -20,4 +20,9 @@ std::unique_ptr<Engine> engine_for(const SolveOptions& options);
 /// a single photon was traced.
 void trace(Engine& engine, const StopRule& rule);
 
+/// The same in parts, of which more may follow: nothing is said. False when Ctrl+C ended it.
+bool trace_on(Engine& engine, const StopRule& rule);
+/// What is to be said when no more follows; throws like trace.
+void finish_trace(const Engine& engine, bool interrupted);
+
 }  // namespace brewster

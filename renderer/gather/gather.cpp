@@ -120,6 +120,10 @@ StokesPicture Gather::picture() const {
     return picture_of(pixels_, width_, height_);
 }
 
+PictureError Gather::error() const {
+    return error_of(pixels_);
+}
+
 double Gather::coarse_share() const {
     double coarse = 0, all = 0;
     for (const PixelSum& pixel : pixels_) {

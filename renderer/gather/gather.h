@@ -42,6 +42,7 @@ class Gather {
 
     double draws() const;  ///< so far, per pixel on the mean
     StokesPicture picture() const;
+    PictureError error() const;
     double coarse_share() const;  ///< of the light, what came from bins of gloss at the end of long paths
 
     int width() const { return width_; }

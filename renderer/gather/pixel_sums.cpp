@@ -154,6 +154,37 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
     return picture;
 }
 
+PictureError error_of(const std::vector<PixelSum>& pixels) {
+    const auto radiance_of = [](const PixelSum& pixel) {
+        double sum = 0;
+        for (std::size_t band = 0; band < band_count; ++band) sum += static_cast<double>(pixel.mean(band));
+        return sum / band_count;
+    };
+    double mean = 0, count = 0;
+    for (const PixelSum& pixel : pixels) {
+        if (pixel.draws == 0) continue;
+        mean += radiance_of(pixel);
+        ++count;
+    }
+    PictureError error;
+    if (!(mean > 0)) return error;
+    const double dark = dark_share * mean / count;
+    for (const PixelSum& pixel : pixels) {
+        if (pixel.draws == 0) continue;
+        double a = 0, b = 0, of_bins = 0;
+        for (std::size_t band = 0; band < band_count; ++band) {
+            a += static_cast<double>(pixel.sums[0][band]) / band_count;
+            b += static_cast<double>(pixel.sums[1][band]) / band_count;
+            of_bins += static_cast<double>(pixel.error[band]) / band_count;
+        }
+        of_bins /= pixel.draws;
+        const double radiance = radiance_of(pixel), scale = radiance * radiance + dark * dark;
+        error.draws += static_cast<double>(replica_variance(pixel, a, b)) / scale / count;
+        error.bins += of_bins * of_bins / scale / count;
+    }
+    return error;
+}
+
 std::vector<float> importance_of(const std::vector<PixelSum>& pixels, int width, int height) {
     std::vector<float> squared(pixels.size()), radiance(pixels.size());
     double mean = 0;

@@ -30,6 +30,14 @@ void add_draws(const LevelLight& seen, int components, std::size_t first, std::s
 /// are known to within their own value.
 StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int height);
 
+/// Squared relative errors of the band-mean radiance (polarized world), mean over the pixels; radiance counts as 1 % of the
+/// picture's mean at least.
+struct PictureError {
+    double draws = 0;  ///< as the replicas differ
+    double bins = 0;   ///< that the bins lend
+};
+PictureError error_of(const std::vector<PixelSum>& pixels);
+
 /// How much the draws' error counts at each pixel: the squared difference of the replicas' band-mean s0 and unpolarized
 /// radiance relative to the radiance, pooled over 7 x 7 pixels without the pixel itself. So draws that a pixel is given by
 /// it owe nothing to the pixel's own, and its mean stays unbiased.

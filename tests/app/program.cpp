@@ -199,6 +199,37 @@ TEST(Program, DevelopedFilesShowTheSamePicture) {
     expect_sentence(brewster({"shot", spheres, "--view", "map=heat"}, folder), 2, "heat");
 }
 
+/// Seconds are of photons and draws together; a target is of both errors.
+TEST(Program, ShotDividesItsTimeBetweenPhotonsAndDraws) {
+    const std::string folder = fresh_folder();
+    const auto report = [&](const std::vector<std::string>& stop) {
+        std::vector<std::string> arguments = {"shot",  cornell_box,    "--size", "32x32",     "--camera",
+                                              "front", "--camera",     "low",    "--threads", "2",
+                                              "--out", "{camera}.exr", "--json"};
+        arguments.insert(arguments.end(), stop.begin(), stop.end());
+        const ProcessResult result = brewster(arguments, folder);
+        EXPECT_EQ(result.exit_code, 0) << result.errors;
+        return json::parse(result.output);
+    };
+    const json timed = report({"--seconds", "0.6"});
+    const double tracing = timed["solve"]["seconds"], drawing = timed["gather"]["seconds"];
+    EXPECT_GT(tracing, 0.05);
+    EXPECT_GT(drawing, 0);
+    EXPECT_LT(tracing + drawing, 0.6 + 2.0);  // blocks and batches under way are finished; sanitizers are slow
+    const auto error = [](const json& of) {
+        const json& errors = of["gather"]["relative_error"];
+        return std::hypot(errors["draws"].get<double>(), errors["bins"].get<double>());
+    };
+    const json rough = report({"--target-error", "0.2"}), fine = report({"--target-error", "0.05"});
+    EXPECT_LE(error(fine), 0.05);
+    EXPECT_LE(error(rough), 0.2);
+    EXPECT_LT(rough["gather"]["draws"], fine["gather"]["draws"]);
+    // Photons that are asked for are not passed, and draws neither.
+    const json few = report({"--seconds", "30", "--photons", "2e4", "--samples", "8"});
+    EXPECT_EQ(few["solve"]["photons"], 20000);
+    EXPECT_EQ(few["gather"]["draws"], 8.0);
+}
+
 TEST(Program, CompareLooksAtRegionsAndBlocksAndDrawsTheDifference) {
     const std::string folder = fresh_folder();
     for (const char* seed : {"1", "2"}) {

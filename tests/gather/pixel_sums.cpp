@@ -62,5 +62,24 @@ TEST(PictureOf, ReplicasTellTheError) {
     EXPECT_NEAR(variance_of(4.4f, 3.6f), 0.0625f + 0.01f, 1e-4f);  // ((4.4 - 3.6)/4)^2/4
 }
 
+/// Two pixels of radiance 1 and 2 in every band: relative squares ((4.4 - 3.6)/4)^2/4 and a quarter of that, halved by the
+/// mean; likewise bins known to .25.
+TEST(ErrorOf, IsRelativeToEachPixel) {
+    std::vector<PixelSum> pixels(2);
+    for (std::size_t p = 0; p < 2; ++p) {
+        const float scale = p == 0 ? 1.0f : 2.0f;
+        pixels[p].draws = 8;
+        for (std::size_t band = 0; band < band_count; ++band) {
+            pixels[p].sums[0][band] = 4 * scale + 0.4f;
+            pixels[p].sums[1][band] = 4 * scale - 0.4f;
+            pixels[p].error[band] = 8 * 0.25f;
+        }
+    }
+    const PictureError error = error_of(pixels);
+    EXPECT_NEAR(error.draws, 0.01 * (1 + 0.25) / 2, 1e-5);
+    EXPECT_NEAR(error.bins, 0.0625 * (1 + 0.25) / 2, 1e-4);
+    EXPECT_EQ(error_of(std::vector<PixelSum>(4)).draws, 0);
+}
+
 }  // namespace
 }  // namespace brewster
