@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "base/word_lanes.h"
 #include "gather/eye_scene.h"
 #include "optics/frame.h"
 #include "optics/planar_mueller.h"
@@ -25,6 +26,25 @@ void store_vector(const Vector<Real>& v, Rows<3>& rows, std::size_t i) {
     store(v.x, &rows[0][i]);
     store(v.y, &rows[1][i]);
     store(v.z, &rows[2][i]);
+}
+/// Words of eight entries as a batch; one for a float.
+template <class Real>
+Word<Real> load_word(const std::uint32_t* from) {
+    if constexpr (std::is_same_v<Real, FloatLanes>)
+        return load_words(from);
+    else
+        return *from;
+}
+/// row[index] in each lane.
+inline WordLanes entries_of(const std::uint32_t* row, WordLanes index) {
+    return brewster::gather<1>(row, index);
+}
+inline std::uint32_t entries_of(const std::uint32_t* row, std::uint32_t index) {
+    return row[index];
+}
+template <class Real>
+Real entries_of(const std::array<float, eye_batch>& row, const Word<Real>& index) {
+    return floats_of(entries_of(reinterpret_cast<const std::uint32_t*>(row.data()), index));
 }
 inline Vector<float> eye_vector(const glm::vec3& v) {
     return {v.x, v.y, v.z};
@@ -84,11 +104,6 @@ struct Level {
     std::array<float, eye_batch> turn_cos, turn_sin;
     Rows<18> event;  ///< six elements of a PlanarMueller for each band
 
-    template <class Real>
-    PlanarMueller<Real> event_at(std::size_t band, std::size_t i) const {
-        const auto row = [&](std::size_t k) { return load<Real>(&event[6 * band + k][i]); };
-        return {row(0), row(1), row(2), row(3), row(4), row(5)};
-    }
     template <class Real>
     void set_event(std::size_t band, std::size_t i, const PlanarMueller<Real>& m) {
         const std::array<Real, 6> elements = {m.m00, m.m01, m.m10, m.m11, m.c, m.d};

@@ -1,6 +1,8 @@
 #include "gather/eye_tracer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/check.h"
@@ -8,6 +10,7 @@
 #include "gather/shade.h"
 #include "scene/albedo.h"
 #include "scene/filter_axis.h"
+#include "scene/landing.h"
 #include "scene/vectors.h"
 
 namespace brewster {
@@ -23,6 +26,28 @@ Vector<float> single_vector(const Vector<double>& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// ray_direction (scene/camera.h) for many points of one picture.
+class PictureRays {
+  public:
+    PictureRays(const Camera& camera, int width, int height)
+        : forward_(camera.forward),
+          right_(camera.right()),
+          up_(camera.up),
+          width_(width),
+          height_(height),
+          half_(std::tan(0.5 * static_cast<double>(camera.vertical_field_of_view))) {}
+
+    glm::vec3 direction(float x, float y) const {
+        const double right = (2 * static_cast<double>(x) / width_ - 1) * half_ * (width_ / height_);
+        const double up = (1 - 2 * static_cast<double>(y) / height_) * half_;
+        return glm::vec3(glm::normalize(forward_ + right * right_ + up * up_));
+    }
+
+  private:
+    glm::dvec3 forward_, right_, up_;
+    double width_, height_, half_;
+};
+
 }  // namespace
 
 void LevelLight::clear(std::size_t size) {
@@ -37,6 +62,22 @@ void LevelLight::clear(std::size_t size) {
     std::fill_n(coarse.begin(), size, 0.0f);
 }
 
+/// Adds the time since the last lap to a stage.
+class StageClock {
+  public:
+    explicit StageClock(EyeStageSeconds& seconds) : seconds_(seconds) {}
+    void lap(EyeStage stage) {
+        const Clock::time_point now = Clock::now();
+        seconds_[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    EyeStageSeconds& seconds_;
+    Clock::time_point last_ = Clock::now();
+};
+
 struct EyeTracer::Storage {
     Level& level(std::size_t depth) {
         while (levels.size() <= depth) levels.push_back(std::make_unique<Level>());
@@ -47,10 +88,14 @@ struct EyeTracer::Storage {
     std::vector<Segment> segments, next_segments;
     std::vector<Ray> rays;
     std::vector<Hit> hits;
+    std::vector<TriangleHit> shadow_hits;
     std::vector<std::uint32_t> order, shadowed;
+    std::array<std::uint32_t, eye_batch> keys, indices;  // of the draws' numbers
     Entered entered;
     LampSamples lamps;
     Onwards onwards;
+    LevelLight brought;
+    EyeStageSeconds seconds{};
     EventNumbers numbers;
 };
 
@@ -61,13 +106,17 @@ class EyeTracer::Batch {
         : scene_(scene), bins_(bins), draws_(draws), s_(storage) {}
 
     void start(const Camera& camera, int width, int height) {
+        const PictureRays picture(camera, width, height);
         s_.segments.clear();
         for (std::uint32_t i = 0; i < draws_.size(); ++i) {
-            const NumberPair place = draws_[i].numbers.place();
+            const EyeNumbers& numbers = draws_[i].numbers;
+            s_.keys[i] = numbers.key;
+            s_.indices[i] = numbers.index;
+            const auto place = number_pair<float>(numbers.key, numbers.index, place_dimension);
             Segment segment;
             segment.ray.origin = camera.position;
-            segment.ray.direction = ray_direction(camera, width, height, static_cast<float>(draws_[i].column) + place.x,
-                                                  static_cast<float>(draws_[i].row) + place.y);
+            segment.ray.direction = picture.direction(static_cast<float>(draws_[i].column) + place[0],
+                                                      static_cast<float>(draws_[i].row) + place[1]);
             segment.axis = normalized(cross(eye_vector(segment.ray.direction), eye_vector(camera.up)));
             segment.draw = segment.parent = i;
             s_.segments.push_back(segment);
@@ -77,23 +126,32 @@ class EyeTracer::Batch {
     /// Takes the segments to a level; what follows them becomes the next segments.
     void take(std::size_t depth) {
         Level& level = s_.level(depth);
+        StageClock clock(s_.seconds);
         meet(level, depth == 0);
+        clock.lap(EyeStage::hits);
         s_.next_segments.clear();
         for (const Group& group : level.groups) {
             const PreparedMaterial& material = scene_.materials[group.material];
             if (material.diffuse()) light_from_bins(material, level, group);
         }
+        clock.lap(EyeStage::bins);
         light_from_lamps(level, static_cast<std::uint32_t>(depth));
+        clock.lap(EyeStage::lamps);
         for (const Group& group : level.groups) go_on_from(level, group, static_cast<std::uint32_t>(depth));
         s_.segments.swap(s_.next_segments);
+        clock.lap(EyeStage::onwards);
     }
 
     bool done() const { return s_.segments.empty(); }
 
     void bring_back_from(std::size_t depth) {
         const Level& next = s_.level(depth);
-        for (std::uint32_t k = 0; k < next.size; ++k)
-            bring_back<components>(next.light, k, s_.level(depth - 1), next.parent[k]);
+        Level& level = s_.level(depth - 1);
+        StageClock clock(s_.seconds);
+        over({0, false, 0, next.size},
+             [&]<class Real>(std::uint32_t k) { bring_back<components, Real>(next, k, s_.brought, level); });
+        add_brought<components>(next, s_.brought, level);
+        clock.lap(EyeStage::back);
     }
 
     void hand_over(LevelLight& seen) const {
@@ -244,10 +302,11 @@ class EyeTracer::Batch {
         for (const Group& group : level.groups) {
             const PreparedMaterial& material = scene_.materials[group.material];
             if (material.sharp()) continue;
+            draw_numbers(level, group, lamp_dimension(vertex), s_.numbers.facet_u, s_.numbers.facet_v);
             for (std::uint32_t i = group.first; i < group.end; ++i) {
                 const bool wanted =
                     (material.diffuse() && level.reads_direct[i] == 0) || (material.rough() && !ends_in_bins(level, i));
-                if (!wanted || !sample_lamp(level, vertex, i)) no_lamp(i);
+                if (!wanted || !sample_lamp(level, i)) no_lamp(i);
             }
             over(group, [&]<class Real>(std::uint32_t i) {
                 light_by_lamps<components, Real>(material, scene_.coloured, scene_.polarized_lamps, level, s_.lamps, i);
@@ -262,10 +321,10 @@ class EyeTracer::Batch {
                 s_.shadowed.push_back(i);
             }
         }
-        s_.hits.resize(s_.rays.size());
-        scene_.rays.intersect(s_.rays, s_.hits);
+        s_.shadow_hits.resize(s_.rays.size());
+        scene_.rays.meet(s_.rays, s_.shadow_hits);
         for (std::size_t k = 0; k < s_.shadowed.size(); ++k)
-            if (reaches(s_.hits[k], s_.shadowed[k])) add_lamp_light(level.light, s_.shadowed[k]);
+            if (reaches(s_.rays[k], s_.shadow_hits[k], s_.shadowed[k])) add_lamp_light(level.light, s_.shadowed[k]);
     }
 
     void no_lamp(std::uint32_t i) {
@@ -276,10 +335,22 @@ class EyeTracer::Batch {
         store_vector(Vector<float>{1, 0, 0}, s_.lamps.axis, i);
     }
 
-    bool sample_lamp(const Level& level, std::uint32_t vertex, std::uint32_t i) {
-        const NumberPair place = draws_[level.draw[i]].numbers.lamp(vertex);
-        const auto light = scene_.lamps.sample(double_vector(load_vector<float>(level.position, i)),
-                                               static_cast<double>(place.x), static_cast<double>(place.y));
+    void draw_numbers(const Level& level, const Group& group, std::uint32_t dimension,
+                      std::array<float, eye_batch>& first, std::array<float, eye_batch>& second) const {
+        over(group, [&]<class Real>(std::uint32_t i) {
+            const Word<Real> draw = load_word<Real>(&level.draw[i]);
+            const auto pair =
+                number_pair<Real>(entries_of(s_.keys.data(), draw), entries_of(s_.indices.data(), draw), dimension);
+            store(pair[0], &first[i]);
+            store(pair[1], &second[i]);
+        });
+    }
+
+    // The point's numbers stand where those of facets will.
+    bool sample_lamp(const Level& level, std::uint32_t i) {
+        const auto light =
+            scene_.lamps.sample(double_vector(load_vector<float>(level.position, i)),
+                                static_cast<double>(s_.numbers.facet_u[i]), static_cast<double>(s_.numbers.facet_v[i]));
         if (!light) return false;
         const Vector<float> direction = single_vector(light->direction);
         if (!(dot(direction, load_vector<float>(level.normal, i)) > 0) ||
@@ -302,14 +373,15 @@ class EyeTracer::Batch {
     }
 
     // Whether a shadow ray that met `hit` has found its lamp.
-    bool reaches(const Hit& hit, std::uint32_t i) const {
+    bool reaches(const Ray& ray, const TriangleHit& hit, std::uint32_t i) const {
         const Lamp& lamp = scene_.scene.lamps[s_.lamps.lamp[i]];
-        if (hit.escaped()) return lamp.kind != LampKind::area;
+        if (!hit.met()) return lamp.kind != LampKind::area;
         const float distance = s_.lamps.distance[i];
-        if (lamp.kind == LampKind::area)
-            return hit.chart == lamp.chart &&
-                   std::abs(hit.distance - distance) < same_distance * (distance + hit.distance);
-        return hit.distance > distance;
+        if (lamp.kind != LampKind::area) return hit.distance > distance;
+        const LandingTriangle& triangle = scene_.rays.landing_table().triangles[hit.triangle];
+        const bool from_front = is_met_in_front(eye_vector(triangle.normal), eye_vector(ray.direction));
+        return triangle.chart(from_front) == lamp.chart &&
+               std::abs(hit.distance - distance) < same_distance * (distance + hit.distance);
     }
 
     void add_lamp_light(LevelLight& light, std::uint32_t i) const {
@@ -323,14 +395,8 @@ class EyeTracer::Batch {
         const PreparedMaterial& material = scene_.materials[group.material];
         const bool transparent = material.base == Base::transparent;
         if (!transparent && !material.reflects()) return;
-        for (std::uint32_t i = group.first; i < group.end; ++i) {
-            const EyeNumbers& drawn = draws_[level.draw[i]].numbers;
-            const NumberPair facet = drawn.facet(vertex), choices = drawn.choices(vertex);
-            s_.numbers.facet_u[i] = facet.x;
-            s_.numbers.facet_v[i] = facet.y;
-            s_.numbers.choice[i] = choices.x;
-            s_.numbers.slope[i] = choices.y;
-        }
+        draw_numbers(level, group, facet_dimension(vertex), s_.numbers.facet_u, s_.numbers.facet_v);
+        draw_numbers(level, group, choice_dimension(vertex), s_.numbers.choice, s_.numbers.slope);
         over(group, [&]<class Real>(std::uint32_t i) {
             go_on<Real>(material, group.inside, s_.numbers, level, s_.onwards, i);
         });
@@ -367,6 +433,10 @@ class EyeTracer::Batch {
 
 EyeTracer::EyeTracer() : storage_(std::make_unique<Storage>()) {}
 EyeTracer::~EyeTracer() = default;
+
+const EyeStageSeconds& EyeTracer::stage_seconds() const {
+    return storage_->seconds;
+}
 
 void EyeTracer::trace(const EyeScene& scene, const Snapshot& bins, const Camera& camera, int width, int height,
                       std::span<const Draw> draws, LevelLight& seen) {

@@ -15,6 +15,11 @@ struct Draw {
     EyeNumbers numbers;
 };
 
+/// What a batch's time goes into, in this order at each depth.
+enum class EyeStage { hits, bins, lamps, onwards, back };
+inline constexpr std::size_t eye_stage_count = 5;
+using EyeStageSeconds = std::array<double, eye_stage_count>;
+
 /// Follows rays from the eye until they end in the bins, a batch of draws at a time: direct light by shadow rays,
 /// indirect light from the bins; one ray for the gloss of any width, with multiple importance sampling against the
 /// lamps; mirrors and refraction. What a rough lobe meets is read from the bins, direct and indirect. One per thread.
@@ -33,6 +38,8 @@ class EyeTracer {
     /// At most eye_batch draws.
     void trace(const EyeScene& scene, const Snapshot& bins, const Camera& camera, int width, int height,
                std::span<const Draw> draws, LevelLight& seen);
+
+    const EyeStageSeconds& stage_seconds() const;  ///< so far, for measurements
 
   private:
     template <int components>

@@ -47,10 +47,10 @@ void Glimpse::see_rows(EyeTracer& tracer, const Snapshot& bins, const Camera& ca
         const auto pixel = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(column);
         const Draw draw{
             static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row), {sequence_key(1, pixel, 0), 0}};
-        const NumberPair place = draw.numbers.place();
-        rays.push_back(
-            {camera.position, ray_direction(camera, picture.width, picture.height, static_cast<float>(column) + place.x,
-                                            static_cast<float>(row) + place.y)});
+        const auto place = number_pair<float>(draw.numbers.key, draw.numbers.index, place_dimension);
+        rays.push_back({camera.position,
+                        ray_direction(camera, picture.width, picture.height, static_cast<float>(column) + place[0],
+                                      static_cast<float>(row) + place[1])});
         all.push_back(draw);
     }
     std::vector<Hit> hits(rays.size());

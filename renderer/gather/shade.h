@@ -169,32 +169,63 @@ void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& nu
     store(select(sample.sharp, Real(1), Real(0)), &onwards.sharp[i]);
 }
 
-/// Brings what came along the next ray to entry i: by its event into the frame of its own ray.
-template <int components>
-void bring_back(const LevelLight& next, std::size_t k, Level& level, std::size_t i) {
-    LevelLight& light = level.light;
-    const FrameRotation<float> turn{level.turn_cos[i], level.turn_sin[i]};
-    float coarse = 0;
+/// Brings what came along rays k of the next level to their parents: by the parents' events into the frames of their
+/// rays. It stands in `brought` until it is added.
+template <int components, class Real>
+void bring_back(const Level& next, std::size_t k, LevelLight& brought, const Level& level) {
+    const Word<Real> parent = load_word<Real>(&next.parent[k]);
+    const auto of_parent = [&](const std::array<float, eye_batch>& row) { return entries_of<Real>(row, parent); };
+    const LevelLight& light = next.light;
+    const FrameRotation<Real> turn{of_parent(level.turn_cos), of_parent(level.turn_sin)};
+    Real coarse(0);
     for (std::size_t band = 0; band < band_count; ++band) {
-        const PlanarMueller<float> event = level.event_at<float>(band, i);
-        Stokes<float, components> arriving{};
-        for (std::size_t j = 0; j < components; ++j) arriving[static_cast<int>(j)] = next.stokes[3 * j + band][k];
-        add_stokes(light.stokes, band, i, rotate(turn, event * arriving));
-        const float error = next.error[band][k];
+        const auto row = [&](std::size_t element) { return of_parent(level.event[6 * band + element]); };
+        const PlanarMueller<Real> event = {row(0), row(1), row(2), row(3), row(4), row(5)};
+        Stokes<Real, components> arriving{};
+        for (std::size_t j = 0; j < components; ++j)
+            arriving[static_cast<int>(j)] = load<Real>(&light.stokes[3 * j + band][k]);
+        const auto leaving = rotate(turn, event * arriving);
+        for (std::size_t j = 0; j < components; ++j)
+            store(leaving[static_cast<int>(j)], &brought.stokes[3 * j + band][k]);
+        const Real error = load<Real>(&light.error[band][k]);
         if constexpr (components == 1) {
-            add_error(light.error, band, i, event.m00 * error);
+            store(event.m00 * error, &brought.error[band][k]);
         } else {
-            const float polarized = next.polarized_error[band][k];
-            add(light.unpolarized, band, i, event.m00 * next.unpolarized[band][k]);
-            add_error(light.unpolarized_error, band, i, event.m00 * next.unpolarized_error[band][k]);
-            add_error(light.error, band, i, event.m00 * error + std::abs(event.m01) * polarized);
-            const float across = std::abs(event.c) + std::abs(event.d);
-            add_error(light.polarized_error, band, i,
-                      std::max(std::abs(event.m10) * error + std::abs(event.m11) * polarized, across * polarized));
+            const Real polarized = load<Real>(&light.polarized_error[band][k]);
+            store(event.m00 * load<Real>(&light.unpolarized[band][k]), &brought.unpolarized[band][k]);
+            store(event.m00 * load<Real>(&light.unpolarized_error[band][k]), &brought.unpolarized_error[band][k]);
+            store(event.m00 * error + abs(event.m01) * polarized, &brought.error[band][k]);
+            const Real across = abs(event.c) + abs(event.d);
+            store(max(abs(event.m10) * error + abs(event.m11) * polarized, across * polarized),
+                  &brought.polarized_error[band][k]);
         }
-        coarse = std::max(coarse, event.m00);
+        coarse = max(coarse, event.m00);
     }
-    light.coarse[i] += coarse * next.coarse[k];
+    store(coarse * load<Real>(&light.coarse[k]), &brought.coarse[k]);
+}
+
+/// No two rays of a level have one parent.
+template <int components>
+void add_brought(const Level& next, const LevelLight& brought, Level& level) {
+    const auto add_rows = [&](const auto& from, auto& to, std::size_t rows) {
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::uint32_t k = 0; k < next.size; ++k) to[row][next.parent[k]] += from[row][k];
+    };
+    const auto add_errors = [&](const Rows<3>& from, Rows<3>& to) {
+        for (std::size_t band = 0; band < band_count; ++band)
+            for (std::uint32_t k = 0; k < next.size; ++k) {
+                float& error = to[band][next.parent[k]];
+                error = std::sqrt(error * error + from[band][k] * from[band][k]);
+            }
+    };
+    add_rows(brought.stokes, level.light.stokes, 3 * components);
+    add_errors(brought.error, level.light.error);
+    if constexpr (components > 1) {
+        add_rows(brought.unpolarized, level.light.unpolarized, 3);
+        add_errors(brought.polarized_error, level.light.polarized_error);
+        add_errors(brought.unpolarized_error, level.light.unpolarized_error);
+    }
+    for (std::uint32_t k = 0; k < next.size; ++k) level.light.coarse[next.parent[k]] += brought.coarse[k];
 }
 
 }  // namespace brewster

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "base/units.h"
@@ -13,8 +14,11 @@ namespace {
 
 constexpr std::uint32_t no_lamp = std::numeric_limits<std::uint32_t>::max();
 
-std::size_t index_of(const std::vector<double>& cumulative, double x) {
-    const auto at = std::upper_bound(cumulative.begin(), cumulative.end() - 1, x);
+/// The first element whose cumulative share is above x.
+template <class Element, class Share>
+std::size_t index_of(const std::vector<Element>& cumulative, double x, const Share& share_of) {
+    const auto at = std::upper_bound(cumulative.begin(), cumulative.end() - 1, x,
+                                     [&](double value, const Element& e) { return value < std::invoke(share_of, e); });
     return static_cast<std::size_t>(at - cumulative.begin());
 }
 
@@ -59,19 +63,35 @@ LampLights::LampLights(const Scene& scene) : scene_(scene), lamp_of_chart_(scene
         const Lamp& lamp = scene.lamps[i];
         choice_.push_back(static_cast<double>(lamp.mean_power()) / total);
         cumulative_.push_back(sum += choice_.back());
-        triangle_areas_.push_back(lamp.kind == LampKind::area ? scene.area_shares(scene.charts[lamp.chart])
-                                                              : std::vector<double>{});
+        facets_.push_back(lamp.kind == LampKind::area ? facets_of(lamp) : std::vector<Facet>{});
         if (lamp.kind == LampKind::area) lamp_of_chart_[lamp.chart] = i;
         if (lamp.kind == LampKind::sun && lamp.angular_radius > 0) discs_.push_back(i);
     }
 }
 
+std::vector<LampLights::Facet> LampLights::facets_of(const Lamp& lamp) const {
+    const Chart& chart = scene_.charts[lamp.chart];
+    const std::vector<double> shares = scene_.area_shares(chart);
+    std::vector<Facet> facets;
+    for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
+        const Triangle& triangle = scene_.triangles[chart.first_triangle + i];
+        const auto corner = [&](std::size_t k) { return vector_of(scene_.vertices[triangle.vertices[k]]); };
+        Facet facet;
+        facet.share = shares[i];
+        facet.shape = {corner(0), corner(1) - corner(0), corner(2) - corner(0), vector_of(triangle.margin)};
+        const Vector<double> normal = normalized(cross(facet.shape.edge1, facet.shape.edge2));
+        facet.normal = triangle.front_chart == lamp.chart ? normal : -normal;
+        facets.push_back(facet);
+    }
+    return facets;
+}
+
 std::optional<LampLight> LampLights::sample(const Vector<double>& point, double choice, double u, double v) const {
-    return sample_lamp(index_of(cumulative_, choice), point, u, v);
+    return sample_lamp(index_of(cumulative_, choice, std::identity()), point, u, v);
 }
 
 std::optional<LampLight> LampLights::sample(const Vector<double>& point, double u, double v) const {
-    const std::size_t lamp = index_of(cumulative_, u);
+    const std::size_t lamp = index_of(cumulative_, u, std::identity());
     const double before = lamp > 0 ? cumulative_[lamp - 1] : 0;
     constexpr double below_one = 1 - 0x1p-53;
     return sample_lamp(lamp, point, std::min((u - before) / (cumulative_[lamp] - before), below_one), v);
@@ -108,25 +128,17 @@ std::optional<LampLight> LampLights::sample_lamp(std::size_t index, const Vector
         light.radiance = share / (light.distance * light.distance) * glm::dvec3(lamp.intensity);
         return light;
     }
-    const std::vector<double>& shares = triangle_areas_[index];
-    const std::size_t k = index_of(shares, u);
-    const double before = k > 0 ? shares[k - 1] : 0;
-    double b1 = (u - before) / (shares[k] - before), b2 = v;
-    if (b1 + b2 > 1) {
-        b1 = 1 - b1;
-        b2 = 1 - b2;
-    }
-    const Triangle& triangle = scene_.triangles[scene_.charts[lamp.chart].first_triangle + k];
-    const Vector<double> at = vector_of(scene_.point_inside(triangle, static_cast<float>(b1), static_cast<float>(b2)));
-    const Vector<double> way = at - point;
+    const std::vector<Facet>& facets = facets_[index];
+    const std::size_t k = index_of(facets, u, &Facet::share);
+    const Facet& facet = facets[k];
+    const double before = k > 0 ? facets[k - 1].share : 0;
+    Barycentric<double> b{(u - before) / (facet.share - before), v};
+    if (b.b1 + b.b2 > 1) b = {1 - b.b1, 1 - b.b2};
+    const Vector<double> way = point_inside(facet.shape, b) - point;
     light.distance = std::sqrt(dot(way, way));
     if (!(light.distance > 0)) return {};
     light.direction = (1 / light.distance) * way;
-    const Vector<double> a = vector_of(scene_.vertices[triangle.vertices[0]]);
-    const Vector<double> normal = normalized(cross(vector_of(scene_.vertices[triangle.vertices[1]]) - a,
-                                                   vector_of(scene_.vertices[triangle.vertices[2]]) - a));
-    const bool front = triangle.front_chart == lamp.chart;
-    light.pdf = pdf_of_area(lamp.chart, front ? normal : -normal, light.direction, light.distance);
+    light.pdf = pdf_of_area(lamp.chart, facet.normal, light.direction, light.distance);
     light.radiance = glm::dvec3(lamp.intensity);
     if (!(light.pdf > 0) || !std::isfinite(light.pdf)) return {};
     return light;

@@ -4,6 +4,7 @@
 
 #include "optics/stokes.h"
 #include "optics/vector.h"
+#include "scene/landing.h"
 #include "scene/scene.h"
 
 namespace brewster {
@@ -46,13 +47,19 @@ class LampLights {
     }
 
   private:
+    struct Facet {
+        double share = 1;  // of the lamp's area, up to and with this triangle; ends in 1
+        TriangleShape<double> shape;
+        Vector<double> normal;  // unit, on the side that glows
+    };
+    std::vector<Facet> facets_of(const Lamp& lamp) const;
     std::optional<LampLight> sample_lamp(std::size_t lamp, const Vector<double>& point, double u, double v) const;
     std::optional<LampLight> disc_seen(std::uint32_t lamp, const Vector<double>& direction) const;
 
     const Scene& scene_;
-    std::vector<double> cumulative_;                   // per lamp: share of power up to and with each, ends in 1
-    std::vector<double> choice_;                       // per lamp
-    std::vector<std::vector<double>> triangle_areas_;  // per lamp: area share up to and with each triangle, ends in 1
+    std::vector<double> cumulative_;          // per lamp: share of power up to and with each, ends in 1
+    std::vector<double> choice_;              // per lamp
+    std::vector<std::vector<Facet>> facets_;  // per lamp
     std::vector<std::uint32_t> lamp_of_chart_, discs_;
 };
 
