@@ -32,12 +32,16 @@ void draw_strip(Text& text, const LegendScale& scale, glm::vec2 top_left, float 
         }
     }
     const float line = static_cast<float>(size), below = top_left.y + line;
+    std::vector<glm::vec2> places;  // of labels, from where to where
     for (const ScaleMark& mark : scale.marks) {
         const float x = top_left.x + width * static_cast<float>(mark.place), label = text.width(mark.label, size);
         text.add_rectangle({std::min(std::round(x), top_left.x + width - 1), below}, {1, std::round(0.3f * line)}, ink);
         const float left = std::clamp(x - 0.5f * label, top_left.x, top_left.x + width - label);
-        text.add(mark.label, {left, below + 0.25f * line}, size, ink);
+        places.emplace_back(left, left + label);
     }
+    const std::vector<bool> readable = readable_labels(places, 0.4f * line);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (readable[k]) text.add(scale.marks[k].label, {places[k].x, below + 0.25f * line}, size, ink);
 }
 
 }  // namespace

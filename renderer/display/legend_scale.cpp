@@ -70,6 +70,16 @@ std::vector<double> scale_marks(double low, double high, int most) {
     return marks;
 }
 
+std::vector<bool> readable_labels(const std::vector<glm::vec2>& places, float gap) {
+    std::vector<bool> readable(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        readable[k] = true;
+        for (std::size_t i = 0; i < k; ++i)
+            if (readable[i] && places[k].x < places[i].y + gap && places[i].x < places[k].y + gap) readable[k] = false;
+    }
+    return readable;
+}
+
 LegendScale legend_scale(const Rendition& rendition) {
     const int palette = static_cast<int>(rendition.palette);
     const auto degree = [palette](float place, float) { return maps::degree_colour(palette, place); };

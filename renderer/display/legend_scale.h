@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -26,5 +27,8 @@ LegendScale legend_scale(const Rendition& rendition);
 
 /// The powers of ten from `low` to `high`, evenly thinned to at most `most`.
 std::vector<double> scale_marks(double low, double high, int most);
+
+/// Which labels, each from x to y, stand apart by `gap`; where two do not, the later one is left out.
+std::vector<bool> readable_labels(const std::vector<glm::vec2>& places, float gap);
 
 }  // namespace brewster

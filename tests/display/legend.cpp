@@ -23,6 +23,11 @@ TEST(Legend, ScaleMarksArePowersOfTenWithin) {
     EXPECT_EQ(scale_marks(1e-3, 1e3, 4), (std::vector<double>{1e-3, 1e-1, 1e1, 1e3}));
 }
 
+TEST(Legend, LabelsDoNotRunIntoEachOther) {
+    const std::vector<glm::vec2> places = {{40, 60}, {10, 30}, {25, 39}, {62, 70}, {66, 80}};
+    EXPECT_EQ(readable_labels(places, 4), (std::vector<bool>{true, true, false, false, true}));
+}
+
 TEST(Legend, AnalyzersAreNamed) {
     EXPECT_EQ(analyzer_words({}), "");
     EXPECT_EQ(analyzer_words({Analyzer::Kind::linear, 22.5}), "analyzer 22.5\u00b0");
