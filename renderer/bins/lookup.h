@@ -1,5 +1,7 @@
 #pragma once
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -10,7 +12,7 @@
 /// The C++ side of the one lookup; the formulas stand in shaders/shared/lookup.h.
 namespace brewster::lookup {
 
-using glm::clamp, glm::max, glm::min;
+using glm::clamp, glm::dot, glm::max, glm::min, glm::sqrt;
 using glm::uvec2, glm::vec3, glm::vec4;
 using uint = std::uint32_t;
 

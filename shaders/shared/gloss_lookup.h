@@ -14,13 +14,18 @@ struct GlossField {
     vec3 value, standard_error;
 };
 
+// Of squared errors, over those that photons make: what pruning leaves under a cell, its lambda (bins/bin_settings.h) on
+// the average; twice that at most.
+#define BREWSTER_HIDDEN_STRUCTURE 1.7f
+
+// Slopes err like the mean, by sqrt(3) of its error for evenly spread photons, so that a cell is known best in its middle.
 BREWSTER_FUNCTION GlossField gloss_field(BREWSTER_BINS_PARAMETER uint first, vec4 x) {
     vec4 mean = fetch_gloss_texel(BREWSTER_BINS first);
     vec4 slope_0 = fetch_gloss_texel(BREWSTER_BINS first + 1u), slope_1 = fetch_gloss_texel(BREWSTER_BINS first + 2u);
     vec4 slope_2 = fetch_gloss_texel(BREWSTER_BINS first + 3u), slope_3 = fetch_gloss_texel(BREWSTER_BINS first + 4u);
     GlossField field;
     field.value = vec3(mean) + x.x * vec3(slope_0) + x.y * vec3(slope_1) + x.z * vec3(slope_2) + x.w * vec3(slope_3);
-    field.standard_error = vec3(mean.w, slope_0.w, slope_1.w);
+    field.standard_error = sqrt((1.0f + BREWSTER_HIDDEN_STRUCTURE) * (1.0f + 3.0f * dot(x, x))) * vec3(mean.w, slope_0.w, slope_1.w);
     return field;
 }
 
