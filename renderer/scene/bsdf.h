@@ -281,6 +281,11 @@ ScatterSample<Real, bands> select_sample(const MaskOf<Real>& mask, const Scatter
 
 }  // namespace bsdf_detail
 
+/// Whether sample_bsdf starts from sample_gloss.
+inline bool has_gloss(const PreparedMaterial& material) {
+    return material.reflects() && material.base != Base::transparent && material.filter == FilterKind::none;
+}
+
 /// The interface's own reflection, gloss or mirror, without any choice: weight f cos / pdf, at most 1 (bands of a
 /// Kirchhoff surface: 3). Not for transparent materials; dead without an interface.
 template <std::size_t bands, class Real>
@@ -295,9 +300,10 @@ ScatterSample<Real, bands> sample_gloss(const PreparedMaterial& material, const 
 
 /// One way on, chosen among all lobes by their unpolarized power (the only way of a material that has just one is taken
 /// without a choice; absorption is in the weight). From the same numbers the same bits, whatever the light's state.
+/// `gloss`: sample_gloss of the same numbers, which is looked at only where has_gloss(material).
 template <Use use, std::size_t bands, class Real>
 ScatterSample<Real, bands> sample_bsdf(const PreparedMaterial& material, const SurfacePoint<Real>& at,
-                                       const ScatterNumbers<Real>& numbers) {
+                                       const ScatterNumbers<Real>& numbers, const ScatterSample<Real, bands>& gloss) {
     using namespace bsdf_detail;
     const PlaneOfIncidence<Real> plane = plane_of_incidence(-at.towards, at.carried_axis, at.normal);
     const auto above = dot(at.towards, at.normal) > constant<Real>(1e-6);
@@ -310,26 +316,33 @@ ScatterSample<Real, bands> sample_bsdf(const PreparedMaterial& material, const S
         sample = sample_base<use, bands>(material, at, plane, numbers);
         if (!material.diffuse()) sample.alive = !above && above;
     } else if (!material.diffuse()) {
-        sample = sample_interface<bands>(material, at, plane, numbers);
+        sample = gloss;
     } else {
         const Real of_base = base_probability<bands>(material, plane.cos_theta_i);
-        ScatterSample<Real, bands> gloss = sample_interface<bands>(material, at, plane, numbers);
         // Under a rough interface the facet is known before the choice, and 1 - p is 1 - E on average.
         const Real p = material.rough() ? select(gloss.alive, band_mean(gloss.weight), Real(0)) : 1 - of_base;
         const auto mirror = numbers.choice < p;
-        scale(gloss.weight, safe_inverse(p));
-        gloss.pdf = gloss.pdf * p;
+        ScatterSample<Real, bands> chosen = gloss;
+        scale(chosen.weight, safe_inverse(p));
+        chosen.pdf = gloss.pdf * p;
         if (!any_of(!mirror)) {
-            sample = gloss;
+            sample = chosen;
         } else {
             ScatterSample<Real, bands> base = sample_base<use, bands>(material, at, plane, numbers);
             scale(base.weight, safe_inverse(of_base));
             base.pdf = base.pdf * of_base;
-            sample = select_sample<bands, Real>(mirror, gloss, base);
+            sample = select_sample<bands, Real>(mirror, chosen, base);
         }
     }
     sample.alive = sample.alive && above;
     return sample;
+}
+template <Use use, std::size_t bands, class Real>
+ScatterSample<Real, bands> sample_bsdf(const PreparedMaterial& material, const SurfacePoint<Real>& at,
+                                       const ScatterNumbers<Real>& numbers) {
+    ScatterSample<Real, bands> gloss;
+    if (has_gloss(material)) gloss = sample_gloss<bands>(material, at, numbers);
+    return sample_bsdf<use, bands>(material, at, numbers, gloss);
 }
 
 /// A lobe between two given directions.

@@ -47,11 +47,26 @@ void scatter_by(const Sample<Real, bands>& sample, PhotonLight<Real, components,
     light.axis = sample.axis;
 }
 
-inline constexpr std::uint32_t gloss_deposits = 4;  ///< directions filed for each arrival; one more goes on
+inline constexpr std::uint32_t gloss_deposits = 4;  ///< directions filed for each arrival
 
-/// A mirror sends all light one way.
-inline std::uint32_t deposits_of(const PreparedMaterial& material) {
-    return material.rough() ? gloss_deposits : 1;
+/// What chance decides at an arrival: numbers for the way on, and the direction of its lobe that the interface would
+/// send the light into, which is filed whether it is the way on or not.
+template <class Real, int bands>
+struct Event {
+    EventNumbers<Real> numbers;
+    Sample<Real, bands> gloss;  ///< where has_gloss(material); else not filled in
+};
+
+template <class Real, int components, int bands>
+SurfacePoint<Real> surface_point(const Meeting<Real>& at, const Vector<Real>& direction,
+                                 const PhotonLight<Real, components, bands>& light) {
+    return {-direction, light.axis, at.shading_normal, at.inside, at.filter_axis};
+}
+
+/// How many directions an arrival files, the event's own among them. A mirror sends all light one way, and cells that
+/// are wider than the lobes would take in many for one.
+inline std::uint32_t deposits_of(const PreparedMaterial& material, bool coarse) {
+    return material.rough() && !coarse ? gloss_deposits : 1;
 }
 
 /// Light that the interface sends on in one of several directions of its own lobe: its share of the whole.
@@ -76,20 +91,19 @@ GlossFrame<Real> gloss_frame(const Meeting<Real>& at, const Vector<Real>& direct
             transported_axis(at.chart_normal, at.axis_v, at.shading_normal)};
 }
 
-/// Direction k of deposits_of. `coarse`: of charts whose cells take mirrors, too.
+/// Light sent the way of `sample`, one of `deposits`. `coarse`: of charts whose cells take mirrors, too.
 template <class Real, int components, int bands>
-GlossLight<Real, components, bands> gloss_light(const TransportContext& context, const Meeting<Real>& at,
-                                                const GlossFrame<Real>& frame, const Vector<Real>& direction,
-                                                const PhotonLight<Real, components, bands>& light, const Key<Real>& key,
-                                                const MaskOf<Real>& coarse, std::uint32_t k) {
-    const SurfacePoint<Real> point{-direction, light.axis, at.shading_normal, false, {}};
-    const Sample<Real, bands> sample = glossy<Real, bands>(*at.material, point, lobe_numbers<Real>(context, key, k));
+GlossLight<Real, components, bands> gloss_light(const Meeting<Real>& at, const GlossFrame<Real>& frame,
+                                                const PhotonLight<Real, components, bands>& light,
+                                                const Sample<Real, bands>& sample, bool coarse,
+                                                std::uint32_t deposits) {
     GlossLight<Real, components, bands> gloss;
-    gloss.filed = frame.ratio > 0 && sample.alive && (!sample.sharp || coarse) && dot(sample.direction, at.normal) > 0;
+    gloss.filed = frame.ratio > 0 && sample.alive && dot(sample.direction, at.normal) > 0;
+    if (!coarse) gloss.filed = gloss.filed && !sample.sharp;
     PhotonLight<Real, components, bands> sent = light;
     scatter_by(sample, sent);
     const Vector<Real> axis = transported_axis(at.shading_normal, frame.tangent_u, sample.direction);
-    const Real share = frame.ratio * Real(1.0f / static_cast<float>(deposits_of(*at.material)));
+    const Real share = frame.ratio * Real(1.0f / static_cast<float>(deposits));
     gloss.weights = sent.gloss_fields(rotation_between(sample.direction, sample.axis, axis), share);
     const auto square = direction_map::direction_square_of(dot(sample.direction, frame.tangent_u),
                                                            dot(sample.direction, frame.tangent_v));

@@ -67,11 +67,11 @@ void tint_base(const TransportContext& context, const Meeting<Real>& at, const M
 
 /// Scatters the light. It ends where it is absorbed, or sent to the wrong side of the facet.
 template <class Real, int components, int bands>
-void scatter(const TransportContext& context, const Meeting<Real>& at, const ScatterNumbers<Real>& numbers,
+void scatter(const TransportContext& context, const Meeting<Real>& at, const Event<Real, bands>& event,
              Flight<Real, components, bands>& flight, Books<Real>& books, TransportCounts& counts) {
     using Light = PhotonLight<Real, components, bands>;
-    const SurfacePoint<Real> point{-flight.direction, flight.light.axis, at.shading_normal, at.inside, at.filter_axis};
-    const Sample<Real, bands> sample = scattered<Real, bands>(*at.material, point, numbers);
+    const Sample<Real, bands> sample = scattered<Real, bands>(
+        *at.material, surface_point(at, flight.direction, flight.light), event.numbers.scatter, event.gloss);
     const Light before = flight.light;
     Light& light = flight.light;
     scatter_by(sample, light);
@@ -127,13 +127,33 @@ void cut_turned_away(const Meeting<Real>& at, Flight<Real, components, bands>& f
     flight.alive = flight.alive && !turned;
 }
 
+template <class Real, int components, int bands>
+Event<Real, bands> event_at(const TransportContext& context, const Meeting<Real>& at,
+                            const Flight<Real, components, bands>& flight) {
+    Event<Real, bands> event;
+    event.numbers = event_numbers<Real>(context, flight.key, flight.direct, at.material->rough());
+    if (has_gloss(*at.material))
+        event.gloss =
+            glossy<Real, bands>(*at.material, surface_point(at, flight.direction, flight.light), event.numbers.scatter);
+    return event;
+}
+
+/// Direction k of those that an arrival files; the first is the event's own.
+template <class Real, int components, int bands>
+Sample<Real, bands> lobe_sample(const TransportContext& context, const Meeting<Real>& at,
+                                const Flight<Real, components, bands>& flight, const Event<Real, bands>& event,
+                                std::uint32_t k) {
+    if (k == 0) return event.gloss;
+    return glossy<Real, bands>(*at.material, surface_point(at, flight.direction, flight.light),
+                               lobe_numbers<Real>(context, flight.key, k));
+}
+
 /// From the arrival to the way on.
 template <class Real, int components, int bands>
-void go_on(const TransportContext& context, const Meeting<Real>& at, Flight<Real, components, bands>& flight,
-           Books<Real>& books, TransportCounts& counts) {
-    const EventNumbers<Real> numbers = event_numbers<Real>(context, flight.key, flight.direct, at.material->rough());
-    scatter(context, at, numbers.scatter, flight, books, counts);
-    roulette(numbers.roulette, flight, books);
+void go_on(const TransportContext& context, const Meeting<Real>& at, const Event<Real, bands>& event,
+           Flight<Real, components, bands>& flight, Books<Real>& books, TransportCounts& counts) {
+    scatter(context, at, event, flight, books, counts);
+    roulette(event.numbers.roulette, flight, books);
     const MaskOf<Real> tired = flight.alive && equal(flight.key.bounce, Word<Real>(std::uint32_t{bounce_limit - 1}));
     books.take(&Ledger::cut, tired, flight.light);
     flight.alive = flight.alive && !tired;

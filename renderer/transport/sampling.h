@@ -7,10 +7,10 @@ namespace brewster::transport {
 template <class Real, int bands>
 using Sample = ScatterSample<Real, static_cast<std::size_t>(bands)>;
 
-/// sample_bsdf of light.
+/// sample_bsdf of light. `gloss`: glossy of the same numbers where has_gloss(material).
 template <class Real, int bands>
 Sample<Real, bands> scattered(const PreparedMaterial& material, const SurfacePoint<Real>& at,
-                              const ScatterNumbers<Real>& numbers);
+                              const ScatterNumbers<Real>& numbers, const Sample<Real, bands>& gloss);
 
 /// sample_gloss.
 template <class Real, int bands>

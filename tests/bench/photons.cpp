@@ -71,7 +71,7 @@ Recorded recorded_rays(const TransportContext& context, std::size_t count) {
             at.shading_normal = float_vector(hit.shading_normal);
             at.filter_axis = filter_axis_of(context, hit.chart);
             cut_turned_away(at, flight, books);
-            if (flight.alive) go_on(context, at, flight, books, counts);
+            if (flight.alive) go_on(context, at, event_at(context, at, flight), flight, books, counts);
             ray = {hit.position, glm_vector(flight.direction), hit.triangle};
         }
     }

@@ -140,6 +140,7 @@ class BlockTracer : public PhotonTracer {
         flight.alive = batch.present && !hole;
         sums.counts.bounces += count_of(flight.alive);
         cut_turned_away(at, flight, books_);
+        const Event<FloatLanes, bands> event = event_at(context, at, flight);
         bool filed = false;
         if (at.material->diffuse()) {
             deposit_entry(context, at, flight, LaneMask(flight.alive || hole), sums);
@@ -147,14 +148,14 @@ class BlockTracer : public PhotonTracer {
         }
         if constexpr (gloss) {
             if (group.gloss) {
-                deposit_gloss(context, at, flight, LaneMask(flight.alive || hole), group.coarse, sums);
+                deposit_gloss(context, at, flight, event, LaneMask(flight.alive || hole), group.coarse, sums);
                 filed = true;
             }
         }
         if (filed) batch.useful = batch.useful || flight.alive;
         const bool any_hole = any_of(hole);
         const Flight<FloatLanes, components, bands> passing = flight;
-        go_on(context, at, flight, books_, sums.counts);
+        go_on(context, at, event, flight, books_, sums.counts);
         if (any_hole) {
             flight.direction = select(hole, passing.direction, flight.direction);
             flight.light = select(hole, passing.light, flight.light);
@@ -188,11 +189,10 @@ class BlockTracer : public PhotonTracer {
     }
 
     void deposit_gloss(const TransportContext& context, const Meeting<FloatLanes>& at,
-                       const Flight<FloatLanes, components, bands>& flight, const LaneMask& present, bool coarse,
-                       WorkerSums& sums) {
+                       const Flight<FloatLanes, components, bands>& flight, const Event<FloatLanes, bands>& event,
+                       const LaneMask& present, bool coarse, WorkerSums& sums) {
         const BinTree<4>& tree = context.bins.gloss;
         const WordLanes chart = gather<1>(context.bins.gloss_charts.index.data(), at.chart);
-        const LaneMask takes_mirrors = coarse ? first_lanes(lane_count) : first_lanes(0);
         const WordLanes place = tree.enter(chart, at.u, at.v);
         const GlossFrame<FloatLanes> frame = gloss_frame(at, flight.direction);
         typename PendingImprints<4, gloss_fields, bands>::Places places;
@@ -200,9 +200,10 @@ class BlockTracer : public PhotonTracer {
         store(flight.key.photon_low, photons.data());
         for (std::size_t lane = 0; lane < lane_count; ++lane)
             places[lane] = {gloss_fields, 0, 0, photons[lane] % replica_count};
-        for (std::uint32_t k = 0; k < deposits_of(*at.material); ++k) {
-            const auto sent = gloss_light<FloatLanes, components, bands>(context, at, frame, flight.direction,
-                                                                         flight.light, flight.key, takes_mirrors, k);
+        const std::uint32_t deposits = deposits_of(*at.material, coarse);
+        for (std::uint32_t k = 0; k < deposits; ++k) {
+            const auto sent =
+                gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, deposits);
             const LaneMask filed = present && sent.filed;
             if (!any_of(filed)) continue;
             const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};

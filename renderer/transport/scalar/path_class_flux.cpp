@@ -31,7 +31,7 @@ bool arrives(const TransportContext& context, const std::vector<std::vector<bool
         const Meeting<float> at = meeting_of(context, hit);
         cut_turned_away(at, flight, books);
         if (&charts == &allowed.back()) return flight.alive;
-        if (flight.alive) go_on(context, at, flight, books, counts);
+        if (flight.alive) go_on(context, at, event_at(context, at, flight), flight, books, counts);
         if (!flight.alive) return false;
         ++flight.key.bounce;
         ray = {hit.position, glm_vector(flight.direction), hit.triangle};

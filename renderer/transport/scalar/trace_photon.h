@@ -49,13 +49,15 @@ void deposit_entry(const TransportContext& context, const Hit& hit, const Meetin
 /// Files what the interface sends on.
 template <int components, int bands>
 void deposit_gloss(const TransportContext& context, const Meeting<float>& at,
-                   const Flight<float, components, bands>& flight, std::uint32_t replica, Tally<4>& tally) {
+                   const Flight<float, components, bands>& flight, const Event<float, bands>& event,
+                   std::uint32_t replica, Tally<4>& tally) {
     const std::uint32_t chart = context.bins.gloss_charts.index[at.chart];
     const bool coarse = context.bins.gloss_charts.coarse[chart];
     const GlossFrame<float> frame = gloss_frame(at, flight.direction);
-    for (std::uint32_t k = 0; k < deposits_of(*at.material); ++k) {
-        const GlossLight<float, components, bands> gloss = gloss_light<float, components, bands>(
-            context, at, frame, flight.direction, flight.light, flight.key, coarse, k);
+    const std::uint32_t deposits = deposits_of(*at.material, coarse);
+    for (std::uint32_t k = 0; k < deposits; ++k) {
+        const GlossLight<float, components, bands> gloss =
+            gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, deposits);
         if (!gloss.filed) continue;
         const BinTree<4>::Point place = {at.u, at.v, gloss.square[0], gloss.square[1]};
         file_event<4>(context.bins.gloss, tally, context.bins.gloss.locate(chart, place), place,
@@ -66,7 +68,8 @@ void deposit_gloss(const TransportContext& context, const Meeting<float>& at,
 /// Everything that the bins want to know of an arrival. False where they want nothing.
 template <int components, int bands, bool gloss>
 bool deposit_arrival(const TransportContext& context, const Hit& hit, const Meeting<float>& at,
-                     const Flight<float, components, bands>& flight, std::uint64_t photon, WorkerSums& sums) {
+                     const Flight<float, components, bands>& flight, const Event<float, bands>& event,
+                     std::uint64_t photon, WorkerSums& sums) {
     const auto replica = static_cast<std::uint32_t>(photon % replica_count);
     bool filed = false;
     if (at.material->diffuse()) {
@@ -75,7 +78,7 @@ bool deposit_arrival(const TransportContext& context, const Hit& hit, const Meet
     }
     if constexpr (gloss) {
         if (context.bins.gloss_charts.index[at.chart] != no_chart) {
-            deposit_gloss<components, bands>(context, at, flight, replica, sums.gloss);
+            deposit_gloss<components, bands>(context, at, flight, event, replica, sums.gloss);
             filed = true;
         }
     }
@@ -108,8 +111,11 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, Books<f
         }
         if (hit.hole) {
             // Light passes, and is filed as if the surface went on there: cells need not know how much of them is cut.
-            if (hit.chart != no_chart)
-                deposit_arrival<components, bands, gloss>(context, hit, meeting_of(context, hit), flight, photon, sums);
+            if (hit.chart != no_chart) {
+                const Meeting<float> at = meeting_of(context, hit);
+                deposit_arrival<components, bands, gloss>(context, hit, at, flight, event_at(context, at, flight),
+                                                          photon, sums);
+            }
             ray.origin = hit.position;
             ray.leaving = hit.triangle;
             continue;
@@ -122,8 +128,9 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, Books<f
         const Meeting<float> at = meeting_of(context, hit);
         cut_turned_away(at, flight, books);
         if (!flight.alive) break;
-        useful = deposit_arrival<components, bands, gloss>(context, hit, at, flight, photon, sums) || useful;
-        go_on(context, at, flight, books, sums.counts);
+        const Event<float, bands> event = event_at(context, at, flight);
+        useful = deposit_arrival<components, bands, gloss>(context, hit, at, flight, event, photon, sums) || useful;
+        go_on(context, at, event, flight, books, sums.counts);
         ray.origin = hit.position;
         ray.direction = glm_vector(flight.direction);
         ray.leaving = hit.triangle;
