@@ -68,6 +68,9 @@ inline bool below(std::uint32_t a, std::uint32_t b) {
 inline LaneMask has_top_bit(WordLanes x) {
     return std::bit_cast<LaneMask>(_mm256_srai_epi32(x.bits, 31));
 }
+inline bool has_top_bit(std::uint32_t x) {
+    return x >> 31 != 0;
+}
 inline WordLanes select(const LaneMask& mask, WordLanes a, WordLanes b) {
     return WordLanes(_mm256_blendv_epi8(b.bits, a.bits, std::bit_cast<__m256i>(mask)));
 }
@@ -108,6 +111,19 @@ inline WordLanes lane_numbers() {
     return WordLanes(_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
+/// A number of 64 bits and the seven behind it, as their two words.
+struct CountLanes {
+    WordLanes low, high;
+};
+inline CountLanes counted_from(std::uint64_t first) {
+    std::array<std::uint32_t, lane_count> low, high;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        low[lane] = static_cast<std::uint32_t>(first + lane);
+        high[lane] = static_cast<std::uint32_t>((first + lane) >> 32);
+    }
+    return {load_words(low.data()), load_words(high.data())};
+}
+
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool gather_by_instruction = false;
 #elif defined(__has_feature)
@@ -130,10 +146,14 @@ WordLanes gather(const std::uint32_t* table, WordLanes index) {
 }
 
 /// Two words that stand together, table[2 index] and the next, in each lane: one load a lane for both.
-struct PairLanes {
-    WordLanes first, second;
+template <class Words>
+struct WordPair {
+    Words first, second;
 };
-inline PairLanes gather_pair(const std::uint32_t* table, WordLanes index) {
+inline WordPair<std::uint32_t> gather_pair(const std::uint32_t* table, std::uint32_t index) {
+    return {table[2 * std::size_t{index}], table[2 * std::size_t{index} + 1]};
+}
+inline WordPair<WordLanes> gather_pair(const std::uint32_t* table, WordLanes index) {
     if constexpr (gather_by_instruction) {
         // Lanes 0, 1, 4, 5 and 2, 3, 6, 7, so that a shuffle within the halves puts them in order.
         const __m256i order = _mm256_permute4x64_epi64(index.bits, 0xd8);
@@ -156,6 +176,14 @@ inline ProductLanes wide_product(WordLanes a, std::uint32_t factor) {
     const __m256i even = _mm256_mul_epu32(a.bits, f), odd = _mm256_mul_epu32(_mm256_srli_epi64(a.bits, 32), f);
     return {WordLanes(_mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xaa)),
             WordLanes(_mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xaa))};
+}
+
+/// Floor of a third of words below 2^31.
+inline WordLanes third_of(WordLanes x) {
+    return wide_product(x, 0x55555556u).high;
+}
+inline std::uint32_t third_of(std::uint32_t x) {
+    return x / 3;
 }
 
 }  // namespace brewster

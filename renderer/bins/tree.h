@@ -126,7 +126,7 @@ class BinTree {
     WordLanes descent(WordLanes node, const std::array<WordLanes, D>& point) const {
         constexpr std::uint32_t axes = by_position ? 2 : D;
         for (;;) {
-            const PairLanes words = gather_pair(&nodes_[0].split, node);
+            const auto words = gather_pair(&nodes_[0].split, node);
             const WordLanes split = words.first, word = words.second;
             LaneMask ends = has_top_bit(word);
             if constexpr (by_position) ends = ends || has_top_bit(word << 1);  // an axis of directions

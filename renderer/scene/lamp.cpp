@@ -1,31 +1,21 @@
 #include "scene/lamp.h"
 
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/elementary.h"
 #include "base/units.h"
 #include "scene/bounding_rectangle.h"
+#include "scene/start_direction.h"
+#include "scene/vectors.h"
 
 namespace brewster {
 namespace {
 
 constexpr float one_over_pi = static_cast<float>(1.0 / pi);
 
-// x^(1/3) for x in [0, 1]: a third of the exponent, then Halley's steps, each tripling the digits.
-float cube_root(float x) {
-    if (x <= 0.0f) return 0.0f;
-    float r = std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) / 3 + 709921077u);
-    for (int step = 0; step < 3; ++step) {
-        const float rrr = r * r * r;
-        r *= (rrr + 2.0f * x) / (2.0f * rrr + x);
-    }
-    return r;
-}
+}  // namespace
 
-// A unit vector across `axis`, from the coordinate axis it leans on least.
 glm::vec3 across(glm::vec3 axis) {
     const glm::vec3 size = glm::abs(axis);
     const glm::vec3 other = size.x <= size.y && size.x <= size.z ? glm::vec3(1, 0, 0)
@@ -38,23 +28,12 @@ float sine_of_radius(const Lamp& sun) {
     return static_cast<float>(std::sin(static_cast<double>(sun.angular_radius)));
 }
 
-// Integral of the falloff over the cosine: between the cones, inside them.
-struct SpotShares {
-    float edge, core;
-};
-
-SpotShares spot_shares(float cos_inner, float cos_outer) {
-    return {(cos_inner - cos_outer) / 3.0f, 1.0f - cos_inner};
-}
-
-}  // namespace
-
 glm::vec3 point_power(glm::vec3 intensity) {
     return static_cast<float>(4.0 * pi) * intensity;
 }
 
 glm::vec3 spot_power(glm::vec3 intensity, float cos_inner, float cos_outer) {
-    const SpotShares shares = spot_shares(cos_inner, cos_outer);
+    const SpotShares<float> shares = spot_shares(cos_inner, cos_outer);
     return static_cast<float>(2.0 * pi) * (shares.edge + shares.core) * intensity;
 }
 
@@ -86,14 +65,6 @@ SunRectangle sun_rectangle(glm::vec3 low, glm::vec3 high, glm::vec3 direction, f
     return rectangle;
 }
 
-glm::vec3 sample_disc(const Lamp& sun, float x, float y) {
-    if (!(sun.angular_radius > 0)) return sun.direction;
-    const float sine = sine_of_radius(sun) * std::sqrt(x), cosine = std::sqrt((1.0f - sine) * (1.0f + sine));
-    const SineCosine<float> turn = sincos_turns(y);
-    const glm::vec3 u = across(sun.direction), v = glm::cross(sun.direction, u);
-    return glm::normalize(sine * turn.cosine * u + sine * turn.sine * v + cosine * sun.direction);
-}
-
 float pdf_disc(const Lamp& sun, glm::vec3 direction) {
     const float sine = sine_of_radius(sun), cosine = glm::dot(sun.direction, direction);
     if (cosine < std::sqrt((1.0f - sine) * (1.0f + sine))) return 0.0f;
@@ -101,9 +72,8 @@ float pdf_disc(const Lamp& sun, glm::vec3 direction) {
 }
 
 glm::vec3 sample_cosine(glm::vec3 axis_u, glm::vec3 axis_v, glm::vec3 normal, float x, float y) {
-    const float sine = std::sqrt(x), cosine = std::sqrt(1.0f - x);
-    const SineCosine<float> turn = sincos_turns(y);
-    return sine * turn.cosine * axis_u + sine * turn.sine * axis_v + cosine * normal;
+    return glm_vector(
+        turned_about(float_vector(axis_u), float_vector(axis_v), float_vector(normal), cosine_slant(x), y));
 }
 
 float pdf_cosine(glm::vec3 normal, glm::vec3 direction) {
@@ -112,36 +82,18 @@ float pdf_cosine(glm::vec3 normal, glm::vec3 direction) {
 }
 
 glm::vec3 sample_sphere(float x, float y) {
-    const float z = 1.0f - 2.0f * x;
-    const float sine = 2.0f * std::sqrt(x * (1.0f - x));  // 1 - z z without cancellation at the poles
-    const SineCosine<float> turn = sincos_turns(y);
-    return {sine * turn.cosine, sine * turn.sine, z};
+    return glm_vector(turned_about<float>({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, sphere_slant(x), y));
 }
 
 float pdf_sphere() {
     return 0.25f * one_over_pi;
 }
 
-glm::vec3 sample_spot(const Lamp& spot, float x, float y) {
-    const SpotShares shares = spot_shares(spot.cos_inner, spot.cos_outer);
-    // Work with 1 - cos, which stays exact in narrow cones. x runs from the axis outwards.
-    const float wanted = x * (shares.edge + shares.core);
-    float versine = wanted;
-    if (wanted >= shares.core) {
-        const float rest = (shares.edge - (wanted - shares.core)) / shares.edge;  // falloff^(3/2)
-        versine = (1.0f - spot.cos_inner) + (1.0f - cube_root(rest)) * (spot.cos_inner - spot.cos_outer);
-    }
-    const float sine = std::sqrt(versine * (2.0f - versine));
-    const SineCosine<float> turn = sincos_turns(y);
-    const glm::vec3 u = across(spot.direction), v = glm::cross(spot.direction, u);
-    return sine * turn.cosine * u + sine * turn.sine * v + (1.0f - versine) * spot.direction;
-}
-
 float pdf_spot(const Lamp& spot, glm::vec3 direction) {
     const float cosine = glm::dot(spot.direction, direction);
     if (cosine <= spot.cos_outer) return 0.0f;
     const float ramp = cosine >= spot.cos_inner ? 1.0f : (cosine - spot.cos_outer) / (spot.cos_inner - spot.cos_outer);
-    const SpotShares shares = spot_shares(spot.cos_inner, spot.cos_outer);
+    const SpotShares<float> shares = spot_shares(spot.cos_inner, spot.cos_outer);
     return ramp * ramp / (static_cast<float>(2.0 * pi) * (shares.edge + shares.core));
 }
 

@@ -43,13 +43,15 @@ struct SunRectangle {
 /// angular radius (radians), from all of whose directions the rectangle covers the bounds.
 SunRectangle sun_rectangle(glm::vec3 low, glm::vec3 high, glm::vec3 direction, float angular_radius = 0);
 
-/// A way for light of a sun's disc to cross that rectangle, for two numbers in [0, 1): by what each direction carries
-/// through it, cos / (pi sin^2 radius). A sun without a disc has one direction.
-glm::vec3 sample_disc(const Lamp& sun, float x, float y);
-float pdf_disc(const Lamp& sun, glm::vec3 direction);
+/// A unit vector across `axis`, from the coordinate axis it leans on least.
+glm::vec3 across(glm::vec3 axis);
 
-/// Directions from two numbers in [0, 1), and their densities per steradian. Nothing here calls the C library's sine or
-/// cube root, so that a photon's bits depend on its numbers only.
+/// Of a sun's disc; 0: it has one direction.
+float sine_of_radius(const Lamp& sun);
+
+/// Densities per steradian of the directions that lamps send light in (start_direction.h), and directions from two
+/// numbers in [0, 1).
+float pdf_disc(const Lamp& sun, glm::vec3 direction);
 /// Cosine-distributed about the normal of a right-handed unit frame: density cos / pi.
 glm::vec3 sample_cosine(glm::vec3 axis_u, glm::vec3 axis_v, glm::vec3 normal, float x, float y);
 float pdf_cosine(glm::vec3 normal, glm::vec3 direction);
@@ -57,8 +59,7 @@ float pdf_cosine(glm::vec3 normal, glm::vec3 direction);
 glm::vec3 sample_sphere(float x, float y);
 float pdf_sphere();
 /// Proportional to the falloff of a spot, ((cos - cos outer) / (cos inner - cos outer))^2 between the cones, 1 inside
-/// (KHR_lights_punctual), by inverting the cubic integral.
-glm::vec3 sample_spot(const Lamp& spot, float x, float y);
+/// (KHR_lights_punctual).
 float pdf_spot(const Lamp& spot, glm::vec3 direction);
 
 }  // namespace brewster

@@ -8,10 +8,6 @@
 namespace brewster {
 namespace {
 
-float below_one(double x) {
-    return std::min(static_cast<float>(x), 0x1.fffffep-1f);
-}
-
 // Where a photon of a sun or of a point flies is said by two of its numbers. An area lamp takes all four: directions that
 // are useful from here are useless from there, and a guess from few photons would only add noise.
 std::vector<bool> guided_lamps(const Scene& scene) {
@@ -31,7 +27,9 @@ PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed)
         sum += power;
         cumulative_.push_back(mean_power_ > 0 ? static_cast<std::uint64_t>(std::llround(sum / mean_power_ * 0x1p32))
                                               : 0);
-        weights_.push_back(power > 0 ? lamp.power / lamp.mean_power() : glm::vec3(0));
+        const glm::vec3 weight = power > 0 ? lamp.power / lamp.mean_power() : glm::vec3(0);
+        weights_.push_back({{weight.x, weight.y, weight.z, lamp.kind == LampKind::sun ? 1.0f : 0.0f}});
+        polarized_ = polarized_ || lamp.polarization != glm::vec3(0);
     }
     for (std::uint32_t replica = 0; replica < replica_count; ++replica)
         for (std::uint32_t d = 0; d < sobol_dimensions; ++d) scrambles_[replica][d] = scramble_of(seed, replica, d);
@@ -71,45 +69,65 @@ FloatLanes PhotonEmission::sobol(WordLanes photon_low, WordLanes photon_high, un
     return unit_float(sobol_words(photon_low, photon_high, dimension));
 }
 
-EmittedPhoton PhotonEmission::sample(std::uint64_t photon) const {
-    Words words;
-    for (unsigned d = 0; d < dimensions; ++d) words[d] = sobol_word(photon, d);
-    return sample_by(words);
+std::uint32_t PhotonEmission::lamp_of(std::uint32_t word) const {
+    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), std::uint64_t{word});
+    return static_cast<std::uint32_t>(found - cumulative_.begin());
 }
 
-void PhotonEmission::sample(std::uint64_t first, std::span<EmittedPhoton> photons) const {
-    std::array<std::uint32_t, lane_count> low, high;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        low[lane] = static_cast<std::uint32_t>(first + lane);
-        high[lane] = static_cast<std::uint32_t>((first + lane) >> 32);
-    }
-    std::array<std::array<std::uint32_t, lane_count>, dimensions> numbers;
-    for (unsigned d = 0; d < dimensions; ++d)
-        store(sobol_words(load_words(low.data()), load_words(high.data()), d), numbers[d].data());
-    for (std::size_t lane = 0; lane < photons.size(); ++lane) {
-        Words words;
-        for (unsigned d = 0; d < dimensions; ++d) words[d] = numbers[d][lane];
-        photons[lane] = sample_by(words);
-    }
+EmittedPhoton<float> PhotonEmission::sample(std::uint64_t photon) const {
+    std::array<std::uint32_t, 4> words;
+    for (unsigned d = 0; d < 4; ++d) words[d] = sobol_word(photon, d + 1);
+    return sample_by<float>(lamp_of(sobol_word(photon, 0)), words);
 }
 
-EmittedPhoton PhotonEmission::sample_by(const Words& words) const {
-    const std::uint64_t choice = words[0];
-    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), choice);
-    const auto lamp = static_cast<std::uint32_t>(found - cumulative_.begin());
-    std::array<double, 4> numbers;
-    for (unsigned d = 0; d < 4; ++d) numbers[d] = 0x1p-32 * words[d + 1];
-    // A sun is guided by where its photons start, a point by where they go.
-    const std::size_t guided_number = scene_.lamps[lamp].kind == LampKind::sun ? 0 : 2;
-    const EmissionGuide::Start guided = guide_.warp(lamp, numbers[guided_number], numbers[guided_number + 1]);
-    const Emission start = sampler_.emit(
-        lamp, {below_one(numbers[0]), below_one(numbers[1]), below_one(numbers[2]), below_one(numbers[3])});
-    EmittedPhoton emitted;
+EmittedPhoton<FloatLanes> PhotonEmission::sample_lanes(std::uint64_t first) const {
+    const CountLanes photon = counted_from(first);
+    WordLanes lamp(0u);
+    if (cumulative_.size() > 1) {
+        std::array<std::uint32_t, lane_count> choice;
+        store(sobol_words(photon.low, photon.high, 0), choice.data());
+        for (std::uint32_t& word : choice) word = lamp_of(word);
+        lamp = load_words(choice.data());
+    }
+    std::array<WordLanes, 4> words;
+    for (unsigned d = 0; d < 4; ++d) words[d] = sobol_words(photon.low, photon.high, d + 1);
+    return sample_by<FloatLanes>(lamp, words);
+}
+
+namespace {
+
+std::array<float, row_size> row_at(const std::vector<Row>& rows, std::uint32_t index) {
+    return rows[index].x;
+}
+Columns row_at(const std::vector<Row>& rows, WordLanes index) {
+    std::array<std::uint32_t, lane_count> indices;
+    store(index, indices.data());
+    return load_columns([&](int lane) { return rows[indices[static_cast<std::size_t>(lane)]].x.data(); });
+}
+
+// Halved words as numbers in [0, 1).
+template <class Real>
+Real number_below_one(const Word<Real>& word) {
+    return min(constant<Real>(0x1p-31) * number_of(word >> 1), constant<Real>(0x1.fffffep-1));
+}
+
+}  // namespace
+
+// A sun is guided by where its photons start, a point by where they go.
+template <class Real>
+EmittedPhoton<Real> PhotonEmission::sample_by(const Word<Real>& lamp, const std::array<Word<Real>, 4>& words) const {
+    const auto of_lamp = row_at(weights_, lamp);
+    const auto sun = of_lamp[3] > 0;
+    const EmissionGuide::Start<Real> guided =
+        guide_.warp<Real>(lamp, select(sun, words[0], words[2]), select(sun, words[1], words[3]));
+    const auto number = [&](std::size_t d) { return number_below_one<Real>(words[d]); };
+    EmittedPhoton<Real> emitted;
+    emitted.start = sampler_.start<Real>(lamp, {select(sun, guided.x, number(0)), select(sun, guided.y, number(1)),
+                                                select(sun, number(2), guided.x), select(sun, number(3), guided.y)});
+    for (std::size_t band = 0; band < band_count; ++band) emitted.weight[band] = guided.weight * of_lamp[band];
     emitted.scale = guided.weight;
-    emitted.guide_cell = guided.cell;
-    emitted.ray = {start.position, start.direction, start.leaving};
-    emitted.weight = guided.weight * weights_[lamp];
     emitted.lamp = lamp;
+    emitted.guide_cell = guided.cell;
     return emitted;
 }
 

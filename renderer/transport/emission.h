@@ -1,26 +1,27 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
+#include "base/rows.h"
 #include "base/sobol.h"
+#include "base/units.h"
 #include "bins/record.h"
 #include "scene/emission.h"
-#include "scene/rays.h"
 #include "scene/scene.h"
 #include "transport/guided_emission.h"
 
 namespace brewster {
 
-/// A photon on its way. Its weight has a band mean of `scale` at emission: mean_power() / photons lumen a unit.
+/// A photon on its way, or a batch of them. Its weight has a band mean of `scale` at emission: mean_power() / photons
+/// lumen a unit.
+template <class Real>
 struct EmittedPhoton {
-    Ray ray;
-    glm::vec3 weight{0.0f};
-    float scale = 1;               ///< of the weight, where starts are guided
-    std::uint32_t lamp = 0;        ///< in Scene::lamps
-    std::uint32_t guide_cell = 0;  ///< where the start counts in the guide
+    PhotonStart<Real> start;
+    std::array<Real, band_count> weight;
+    Real scale{1};            ///< of the weight, where starts are guided
+    Word<Real> lamp{};        ///< in Scene::lamps
+    Word<Real> guide_cell{};  ///< where the start counts in the guide
 };
 
 /// Chooses lamps by their power and starts on them, by an Owen-scrambled Sobol sequence a replica (photon index mod 8):
@@ -36,10 +37,10 @@ class PhotonEmission {
     bool any() const { return mean_power_ > 0; }       ///< false if no lamp has power
     double mean_power() const { return mean_power_; }  ///< lumen, all lamps, mean of the bands
 
-    EmittedPhoton sample(std::uint64_t photon) const;
+    EmittedPhoton<float> sample(std::uint64_t photon) const;
+    EmittedPhoton<FloatLanes> sample_lanes(std::uint64_t first) const;  ///< the same of eight photons in a row
 
-    /// The same of up to eight photons in a row.
-    void sample(std::uint64_t first, std::span<EmittedPhoton> photons) const;
+    bool polarized() const { return polarized_; }  ///< whether some lamp's light is
 
     const EmissionGuide& guide() const { return guide_; }
     EmissionGuide& guide() { return guide_; }  ///< between batches
@@ -49,11 +50,11 @@ class PhotonEmission {
     FloatLanes sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;  ///< of eight photons
 
   private:
-    using Words = std::array<std::uint32_t, dimensions>;
-
     std::uint32_t sobol_word(std::uint64_t photon, unsigned dimension) const;
     WordLanes sobol_words(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;
-    EmittedPhoton sample_by(const Words& words) const;
+    template <class Real>
+    EmittedPhoton<Real> sample_by(const Word<Real>& lamp, const std::array<Word<Real>, 4>& words) const;
+    std::uint32_t lamp_of(std::uint32_t word) const;
 
     const Scene& scene_;
     const LampSampler sampler_;
@@ -61,7 +62,8 @@ class PhotonEmission {
     std::uint64_t seed_;
     double mean_power_ = 0;
     std::vector<std::uint64_t> cumulative_;  // in 2^-32: the share of the lamps up to and including each; ends in 2^32
-    std::vector<glm::vec3> weights_;         // per lamp
+    std::vector<Row> weights_;               // per lamp: by its colour, then whether it is a sun
+    bool polarized_ = false;
     std::array<std::array<std::uint32_t, sobol_dimensions>, replica_count> scrambles_{};
 };
 

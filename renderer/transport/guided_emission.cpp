@@ -12,7 +12,7 @@ namespace {
 constexpr double plain_share = 0.1;        // of photons that start as if nothing had been learned
 constexpr double useful_enough = 0.9;      // a lamp or cell that wastes less is left as it is
 constexpr std::uint64_t telling = 64;      // wasted and useful photons each, before a cell is halved
-constexpr double smallest_area = 0x1p-30;  // of a cell: its sides keep nine bits of a 24-bit number
+constexpr double smallest_area = 0x1p-24;  // of a cell: even a tenth of it is drawn by several words of 31 bits
 constexpr std::size_t first_cells = 1024, most_first_cells = 1 << 15;  // of one lamp, of all
 constexpr std::size_t most_cells = 8192;                               // of one lamp, inner ones too
 constexpr double surroundings = 2;  // how many photons what is known around a cell counts for
@@ -36,33 +36,59 @@ EmissionGuide::EmissionGuide(std::vector<bool> guided)
     const std::size_t cells = std::min(first_cells, most_first_cells / std::max<std::size_t>(lamps_, 1));
     for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp)
         for (std::size_t known = 1; guided_[lamp] && 2 * known <= cells; known *= 2)
-            for (const std::uint32_t index : below(lamp))
+            for (const std::uint32_t index : nodes_of(lamp))
                 if (nodes_[index].low_child == 0) split(index);
+    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp) share_out(nodes_of(lamp));
 }
 
 // A lamp's nodes, level by level.
-std::vector<std::uint32_t> EmissionGuide::below(std::uint32_t lamp) const {
+std::vector<std::uint32_t> EmissionGuide::nodes_of(std::uint32_t lamp) const {
     std::vector<std::uint32_t> order = {lamp};
     for (std::size_t i = 0; i < order.size(); ++i)
         if (const std::uint32_t child = nodes_[order[i]].low_child) order.insert(order.end(), {child, child + 1});
     return order;
 }
 
-EmissionGuide::Start EmissionGuide::warp(std::uint32_t lamp, double& x, double& y) const {
-    std::uint32_t index = lamp;
-    double at[2] = {x, y};
-    while (nodes_[index].low_child != 0) {
-        const Node& node = nodes_[index];
-        double& number = at[node.axis];
-        const bool low = number < node.low_share;
-        number = low ? number / node.low_share : (number - node.low_share) / (1 - node.low_share);
-        index = node.low_child + (low ? 0u : 1u);
-    }
-    const Node& leaf = nodes_[index];
-    x = leaf.low[0] + leaf.size[0] * at[0];
-    y = leaf.low[1] + leaf.size[1] * at[1];
-    return {index, static_cast<float>(leaf.weight)};
+namespace {
+
+enum : std::size_t { from_x, from_y, scale_x, scale_y, to_x, to_y, move_weight };
+
+std::array<float, row_size> move_at(const std::vector<Row>& moves, std::uint32_t cell) {
+    return moves[cell].x;
 }
+Columns move_at(const std::vector<Row>& moves, WordLanes cell) {
+    std::array<std::uint32_t, lane_count> cells;
+    store(cell, cells.data());
+    return load_columns([&](int lane) { return moves[cells[static_cast<std::size_t>(lane)]].x.data(); });
+}
+
+}  // namespace
+
+template <class Real>
+EmissionGuide::Start<Real> EmissionGuide::warp(const Word<Real>& lamp, const Word<Real>& x, const Word<Real>& y) const {
+    const Word<Real> half_x = x >> 1, half_y = y >> 1, none(0u), one(1u);
+    Word<Real> cell = lamp;
+    for (;;) {
+        const auto step = gather_pair(&steps_[0].split, cell);
+        const auto ends = has_top_bit(step.second);
+        if (!any_of(!ends)) break;
+        const auto along_x = equal(step.second & Word<Real>(axis_bit), none);
+        const auto low = below(select(along_x, half_x, half_y), step.first);
+        const Word<Real> child = (step.second & Word<Real>(axis_bit - 1)) + select(low, none, one);
+        cell = select(ends, cell, child);
+    }
+    const auto move = move_at(moves_, cell);
+    const auto moved = [&](const Word<Real>& word, std::size_t axis) {
+        const Real beyond = number_of(word - words_of(move[from_x + axis]));
+        return min(fma(beyond, move[scale_x + axis], move[to_x + axis]), constant<Real>(0x1.fffffep-1));
+    };
+    return {moved(half_x, 0), moved(half_y, 1), move[move_weight], cell};
+}
+
+template EmissionGuide::Start<float> EmissionGuide::warp(const std::uint32_t&, const std::uint32_t&,
+                                                         const std::uint32_t&) const;
+template EmissionGuide::Start<FloatLanes> EmissionGuide::warp(const WordLanes&, const WordLanes&,
+                                                              const WordLanes&) const;
 
 void EmissionGuide::learn(GuideTally& tally) {
     BREWSTER_CHECK(tally.traced.size() == nodes_.size(), std::to_string(tally.traced.size()));
@@ -77,7 +103,7 @@ void EmissionGuide::learn(GuideTally& tally) {
 }
 
 void EmissionGuide::learn(std::uint32_t lamp) {
-    std::vector<std::uint32_t> order = below(lamp);
+    std::vector<std::uint32_t> order = nodes_of(lamp);
     std::size_t cells = order.size();
     for (const std::uint32_t index : order) {
         const Node& node = nodes_[index];
@@ -87,7 +113,7 @@ void EmissionGuide::learn(std::uint32_t lamp) {
         cells += 2;
         split(index);
     }
-    weigh(below(lamp));
+    weigh(nodes_of(lamp));
 }
 
 void EmissionGuide::split(std::uint32_t index) {
@@ -143,7 +169,44 @@ void EmissionGuide::weigh(const std::vector<std::uint32_t>& order) {
             continue;
         }
         probability[i] = plain_share * area(node) + (1 - plain_share) * area(node) * std::sqrt(share[i]) / total;
-        node.weight = wastes ? area(node) / probability[i] : 1;
+    }
+    share_out(order);
+}
+
+// Words from the root's box downwards. No cell goes without, and what each gets by rounding is what its weight says.
+void EmissionGuide::share_out(const std::vector<std::uint32_t>& order) {
+    steps_.resize(nodes_.size());
+    moves_.resize(nodes_.size());
+    for (const std::uint32_t index : order) {
+        Node& node = nodes_[index];
+        const std::uint32_t* const low = node.drawn_low;
+        const std::uint32_t* const high = node.drawn_high;
+        if (node.low_child != 0) {
+            const std::uint32_t a = node.axis, width = high[a] - low[a];
+            BREWSTER_CHECK(width >= 2, std::to_string(index));
+            const auto share = static_cast<std::uint32_t>(std::llround(node.low_share * width));
+            const std::uint32_t split = low[a] + std::clamp(share, 1u, width - 1);
+            for (const std::uint32_t side : {0u, 1u}) {
+                Node& child = nodes_[node.low_child + side];
+                std::copy_n(low, 2, child.drawn_low);
+                std::copy_n(high, 2, child.drawn_high);
+                (side == 0 ? child.drawn_high : child.drawn_low)[a] = split;
+            }
+            steps_[index] = {split, node.low_child | (a != 0 ? axis_bit : 0u)};
+            continue;
+        }
+        double drawn = 1;
+        Row& move = moves_[index];
+        for (std::size_t a = 0; a < 2; ++a) {
+            const double width = high[a] - low[a];
+            drawn *= 0x1p-31 * width;
+            move.x[from_x + a] = floats_of(low[a]);
+            move.x[scale_x + a] = static_cast<float>(node.size[a] / width);
+            move.x[to_x + a] = static_cast<float>(node.low[a]);
+        }
+        node.weight = static_cast<float>(area(node) / drawn);
+        move.x[move_weight] = node.weight;
+        steps_[index] = {};
     }
 }
 
@@ -170,8 +233,12 @@ bool EmissionGuide::restore(std::vector<Node> nodes) {
         nodes_[i].useful = nodes[i].useful;
     }
     if (!possible) nodes_.swap(before);
-    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp)
-        if (guided_[lamp]) weigh(below(lamp));
+    for (std::uint32_t lamp = 0; lamp < lamps_; ++lamp) {
+        if (guided_[lamp])
+            weigh(nodes_of(lamp));
+        else
+            share_out(nodes_of(lamp));
+    }
     return possible;
 }
 

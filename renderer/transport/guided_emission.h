@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/rows.h"
+
 namespace brewster {
 
 /// What photons of one thread found out about where they start, per cell of the guide.
@@ -29,14 +31,17 @@ class EmissionGuide {
     /// Per lamp, whether it can be guided: two of its numbers alone must say where a photon flies. Others stay as they are.
     explicit EmissionGuide(std::vector<bool> guided);
 
+    template <class Real>
     struct Start {
-        std::uint32_t cell = 0;  ///< where it is counted
-        float weight = 1;        ///< area of the cell over its probability, at most 10
+        Real x, y;          ///< in [0, 1)
+        Real weight;        ///< area of the cell over its probability, at most 10 and what rounding adds
+        Word<Real> cell{};  ///< where it is counted
     };
 
-    /// Moves a point of [0, 1)^2, evenly distributed, to where the guide wants it; order is kept, so that stratified
-    /// points stay stratified.
-    Start warp(std::uint32_t lamp, double& x, double& y) const;
+    /// Moves a point, evenly distributed over all pairs of words, to where the guide wants it; order is kept, so that
+    /// stratified points stay stratified. Of one photon, or of a batch of lanes.
+    template <class Real>
+    Start<Real> warp(const Word<Real>& lamp, const Word<Real>& x, const Word<Real>& y) const;
 
     std::size_t cell_count() const { return nodes_.size(); }
 
@@ -50,21 +55,33 @@ class EmissionGuide {
         std::uint64_t traced = 0, useful = 0;  ///< photons that started here while it was a leaf
         double low[2] = {0, 0}, size[2] = {1, 1};
         double low_share = 0.5;  ///< of its probability, the low child's
-        double weight = 1;       ///< of a leaf: area over probability
+        // What is drawn: the pairs of words, halved, that lead here, a box; a leaf's share is the area of its box.
+        std::uint32_t drawn_low[2] = {0, 0}, drawn_high[2] = {1u << 31, 1u << 31};
+        float weight = 1;  ///< of a leaf: area over share
     };
     const std::vector<Node>& nodes() const { return nodes_; }
     /// Takes up nodes that were written down; what depends on them is worked out anew. False: they are no guide's.
     bool restore(std::vector<Node> nodes);
 
   private:
-    std::vector<std::uint32_t> below(std::uint32_t lamp) const;
+    std::vector<std::uint32_t> nodes_of(std::uint32_t lamp) const;
     void learn(std::uint32_t lamp);
     void split(std::uint32_t index);
     void weigh(const std::vector<std::uint32_t>& order);
+    void share_out(const std::vector<std::uint32_t>& order);
+
+    // A node as a descent reads it: where its words are split, and its low child with the axis on top; a leaf is its own
+    // child and has the top bit.
+    struct Step {
+        std::uint32_t split = 0, word = leaf_bit;
+    };
+    static constexpr std::uint32_t leaf_bit = 1u << 31, axis_bit = 1u << 30;
 
     std::vector<bool> guided_;  // per lamp
     std::uint32_t lamps_;
     std::vector<Node> nodes_;  // the roots first, one a lamp
+    std::vector<Step> steps_;  // beside nodes_
+    std::vector<Row> moves_;   // beside nodes_: of a leaf, its box and where its points go
 };
 
 }  // namespace brewster

@@ -50,11 +50,11 @@ Recorded recorded_rays(const TransportContext& context, std::size_t count) {
     Books<float> books;
     TransportCounts counts;
     for (; recorded.rays.size() < count; ++recorded.photons) {
-        const EmittedPhoton emitted = context.emission.sample(recorded.photons);
-        Ray ray = emitted.ray;
+        const EmittedPhoton<float> emitted = context.emission.sample(recorded.photons);
+        Ray ray = first_ray(emitted);
         Flight<float, 4, 3> flight;
         flight.direction = float_vector(ray.direction);
-        flight.light = emitted_light<4, 3>(context.scene, emitted);
+        flight.light = emitted_light<4, 3>(context.scene, context.emission, emitted);
         flight.reference = flight.light.largest();
         flight.key = {static_cast<std::uint32_t>(recorded.photons), 0, 0};
         flight.alive = flight.direct = true;
@@ -181,8 +181,8 @@ void measure(const std::string& path, std::size_t rounds, std::uint64_t photons)
                             }
                         }));
         emitted.push_back(1e9 / count * seconds_of([&] {
-                              for (std::uint64_t photon = 0; photon < recorded.photons; ++photon)
-                                  met += emission.sample(photon).lamp == 12345;
+                              for (std::uint64_t photon = 0; photon < recorded.photons; photon += lane_count)
+                                  met += any_of(emission.sample_lanes(photon).start.position.x > 1e30f);
                           }));
         block.push_back(run(scene, photons, default_window).nanoseconds());
         scalar.push_back(run(scene, photons / 4, 0).nanoseconds());

@@ -245,6 +245,42 @@ TEST(Emission, PowerAndDensityGiveTheIntensity) {
     EXPECT_NEAR(sun.lamps[0].power.x * LampSampler(sun).pdf(0, sun.lamps[0].direction), 9, 1e-4);
 }
 
+// Eight photons of lamps of all kinds at a time: each starts as alone, to the bit.
+TEST(Emission, LanesGetTheBitsOfOne) {
+    Scene scene = glowing_l();
+    for (const LampKind kind : {LampKind::point, LampKind::spot, LampKind::sun, LampKind::sun}) {
+        Lamp& lamp = scene.lamps.emplace_back();
+        lamp.kind = kind;
+        lamp.direction = glm::normalize(glm::vec3(0.3f, -0.2f, -1));
+        lamp.cos_inner = 0.95f;
+        lamp.cos_outer = 0.8f;
+        lamp.angular_radius = scene.lamps.size() == 5 ? 0.1f : 0.0f;
+    }
+    const LampSampler sampler(scene);
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        std::array<std::array<float, lane_count>, 4> x;
+        std::array<std::uint32_t, lane_count> lamps, leaving;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const auto drawn = numbers(lane_count * i + lane);
+            for (std::size_t d = 0; d < 4; ++d) x[d][lane] = drawn[d];
+            // Some batches hold one kind alone.
+            lamps[lane] = i % 4 == 0 ? static_cast<std::uint32_t>(i / 4 % 5) : philox(12, i, 0, 0)[lane / 2] % 5;
+        }
+        std::array<FloatLanes, 4> lanes;
+        for (std::size_t d = 0; d < 4; ++d) lanes[d] = load<FloatLanes>(x[d].data());
+        const PhotonStart<FloatLanes> start = sampler.start<FloatLanes>(load_words(lamps.data()), lanes);
+        store(start.leaving, leaving.data());
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const Emission one = sampler.emit(lamps[lane], {x[0][lane], x[1][lane], x[2][lane], x[3][lane]});
+            const glm::vec3 position(start.position.x[lane], start.position.y[lane], start.position.z[lane]);
+            const glm::vec3 direction(start.direction.x[lane], start.direction.y[lane], start.direction.z[lane]);
+            ASSERT_EQ(position, one.position);
+            ASSERT_EQ(direction, one.direction);
+            ASSERT_EQ(leaving[lane], one.leaving);
+        }
+    }
+}
+
 // The extremes of the numbers stay inside lamp and cone, and no direction is tangent to its lamp.
 TEST(Emission, ExtremeNumbersAreSafe) {
     const float last = 1 - 0x1p-24f;

@@ -25,10 +25,9 @@ Batch run_batch(EmissionGuide& guide, std::uint64_t first, std::uint64_t photons
     for (std::uint64_t photon = first; photon < first + photons; ++photon)
         for (const std::uint32_t lamp : {0u, 1u}) {
             const auto words = philox(3, photon, lamp, 0);
-            double x = 0x1p-32 * words[0], y = 0x1p-32 * words[1];
-            const EmissionGuide::Start start = guide.warp(lamp, x, y);
+            const EmissionGuide::Start<float> start = guide.warp<float>(lamp, words[0], words[1]);
             ++tally.traced[start.cell];
-            if (!is_useful(lamp, x, y)) continue;
+            if (!is_useful(lamp, start.x, start.y)) continue;
             ++tally.useful[start.cell];
             if (lamp == 0) continue;
             const auto weight = static_cast<double>(start.weight), n = static_cast<double>(photons);
@@ -63,22 +62,23 @@ TEST(EmissionGuide, FindsAWindowAndKeepsItsLight) {
 TEST(EmissionGuide, LampsThatCannotBeGuidedAreNot) {
     EmissionGuide guide({true, false});
     for (std::uint64_t batch = 0; batch < 4; ++batch) run_batch(guide, batch << 16, 1 << 14);
-    double x = 0.1, y = 0.1;
-    const EmissionGuide::Start start = guide.warp(1, x, y);
+    const EmissionGuide::Start<float> start = guide.warp<float>(1, 1u << 29, 5u << 29);
     EXPECT_EQ(start.cell, 1u);
     EXPECT_EQ(start.weight, 1.0f);
-    EXPECT_EQ(x, 0.1);
+    EXPECT_EQ(start.x, 0.125f);
+    EXPECT_EQ(start.y, 0.625f);
 }
 
 TEST(EmissionGuide, WhatWastesNothingStaysToTheBit) {
     const EmissionGuide guide = learned();
-    for (const double number : {0.0, 0.3, 1 - 0x1p-32}) {
-        const double y_before = 1 - 0x1p-32 - number;
-        double x = number, y = y_before;
-        const EmissionGuide::Start start = guide.warp(0, x, y);
+    for (const std::uint32_t word : {0u, 0x4ccccccdu, 0x00000123u, 0xffffffffu}) {
+        const EmissionGuide::Start<float> start = guide.warp<float>(0, word, ~word);
+        const auto number = [](std::uint32_t w) {
+            return std::min(0x1p-31f * static_cast<float>(w >> 1), 1 - 0x1p-24f);
+        };
         EXPECT_EQ(start.weight, 1.0f);
-        EXPECT_EQ(x, number);
-        EXPECT_EQ(y, y_before);
+        EXPECT_EQ(start.x, number(word));
+        EXPECT_EQ(start.y, number(~word));
     }
 }
 
@@ -88,15 +88,44 @@ TEST(EmissionGuide, WeightsAreBoundedAndMeanOne) {
     double sum = 0, squares = 0;
     const int n = 1 << 16;
     for (int i = 0; i < n; ++i) {
-        double x = (i % 256 + 0.5) / 256, y = (i / 256 + 0.5) / 256;
-        const auto weight = static_cast<double>(guide.warp(1, x, y).weight);
+        const auto x = static_cast<std::uint32_t>(i % 256) << 24 | 1u << 23;
+        const auto y = static_cast<std::uint32_t>(i / 256) << 24 | 1u << 23;
+        const EmissionGuide::Start<float> start = guide.warp<float>(1, x, y);
+        const auto weight = static_cast<double>(start.weight);
         EXPECT_GT(weight, 0);
-        EXPECT_LE(weight, 10.0001);
-        EXPECT_TRUE(x >= 0 && x < 1 && y >= 0 && y < 1);
+        EXPECT_LE(weight, 10.01);
+        EXPECT_TRUE(start.x >= 0 && start.x < 1 && start.y >= 0 && start.y < 1);
         sum += weight / n;
         squares += weight * weight / n;
     }
     EXPECT_NEAR(sum, 1, 4 * std::sqrt(squares / n));
+}
+
+// Eight photons at a time are each warped as alone.
+TEST(EmissionGuide, LanesGetTheBitsOfOne) {
+    const EmissionGuide guide = learned();
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        std::array<std::uint32_t, lane_count> lamp, x, y, cell;
+        std::array<float, lane_count> moved_x, moved_y, weight;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const auto words = philox(5, i, static_cast<std::uint32_t>(lane), 0);
+            lamp[lane] = words[2] & 1u;
+            x[lane] = words[0];
+            y[lane] = words[1];
+        }
+        const auto lanes = guide.warp<FloatLanes>(load_words(lamp.data()), load_words(x.data()), load_words(y.data()));
+        store(lanes.cell, cell.data());
+        store(lanes.x, moved_x.data());
+        store(lanes.y, moved_y.data());
+        store(lanes.weight, weight.data());
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const EmissionGuide::Start<float> one = guide.warp<float>(lamp[lane], x[lane], y[lane]);
+            ASSERT_EQ(cell[lane], one.cell);
+            ASSERT_EQ(moved_x[lane], one.x);
+            ASSERT_EQ(moved_y[lane], one.y);
+            ASSERT_EQ(weight[lane], one.weight);
+        }
+    }
 }
 
 TEST(EmissionGuide, NodesThatWereWrittenDownComeBack) {

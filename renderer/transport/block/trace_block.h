@@ -56,22 +56,29 @@ class BlockTracer : public PhotonTracer {
 
     // Up to eight photons; returns the next.
     std::uint64_t emit(const TransportContext& context, std::uint64_t photon, std::uint64_t end, WorkerSums& sums) {
-        std::array<EmittedPhoton, lane_count> emitted;
-        const std::size_t count = std::min<std::uint64_t>(lane_count, end - photon);
-        context.emission.sample(photon, {emitted.data(), count});
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto light = emitted_light<components, bands>(context.scene, emitted[i]);
-            append(now_, emitted[i], light, photon + i);
-            ++sums.guide.traced[emitted[i].guide_cell];
-            emitted_.take(&Ledger::emitted, true, light);
-        }
-        sums.counts.photons += count;
-        return photon + count;
+        const auto count = static_cast<int>(std::min<std::uint64_t>(lane_count, end - photon));
+        const EmittedPhoton<FloatLanes> emitted = context.emission.sample_lanes(photon);
+        Batched batch;
+        auto& flight = batch.flight;
+        flight.direction = emitted.start.direction;
+        flight.light = emitted_light<components, bands>(context.scene, context.emission, emitted);
+        flight.reference = flight.light.largest();
+        const CountLanes index = counted_from(photon);
+        flight.key = {index.low, index.high, WordLanes(0xffffffffu)};  // append counts on
+        flight.alive = flight.direct = first_lanes(count);
+        batch.useful = first_lanes(0);
+        batch.guide_cell = emitted.guide_cell;
+        append(now_, batch, emitted.start.position, emitted.start.leaving);
+        books_.take(&Ledger::emitted, flight.alive, flight.light);
+        std::array<std::uint32_t, lane_count> cells;
+        store(emitted.guide_cell, cells.data());
+        for (int lane = 0; lane < count; ++lane) ++sums.guide.traced[cells[static_cast<std::size_t>(lane)]];
+        sums.counts.photons += static_cast<std::uint64_t>(count);
+        return photon + static_cast<std::uint64_t>(count);
     }
 
     // Finds what each photon meets and sorts the slots by it; those that end here are booked.
     void meet(const TransportContext& context, WorkerSums& sums) {
-        emitted_.close(sums.ledger);
         context.rays.meet({now_.rays.data(), now_.count}, {hits_.data(), now_.count});
         sums.counts.rays += now_.count;
         const LandingTable& table = context.rays.landing_table();
@@ -235,7 +242,6 @@ class BlockTracer : public PhotonTracer {
     std::vector<std::uint32_t> escaped_, absorbed_, behind_holes_;
     std::optional<Groups> groups_;
     Books<FloatLanes> books_;
-    Books<float> emitted_;
     PendingImprints<2, worlds, bands> entry_;
     PendingImprints<4, gloss_fields, bands> gloss_;
 };

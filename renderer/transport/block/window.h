@@ -118,28 +118,4 @@ void append(Window<components, bands>& window, const Batch<components, bands>& b
     }
 }
 
-/// Appends a photon at its start.
-template <int components, int bands>
-void append(Window<components, bands>& window, const EmittedPhoton& emitted,
-            const PhotonLight<float, components, bands>& light, std::uint64_t photon) {
-    using Slots = Window<components, bands>;
-    Ray& ray = window.rays[window.count];
-    ray = emitted.ray;
-    ray.meets_holes = true;
-    Row& state = window.states[window.count];
-    state.x = {light.axis.x,
-               light.axis.y,
-               light.axis.z,
-               light.largest(),
-               floats_of(static_cast<std::uint32_t>(photon)),
-               floats_of(static_cast<std::uint32_t>(photon >> 32)),
-               floats_of(std::uint32_t{0}),
-               floats_of(Slots::direct_flag | emitted.guide_cell << Slots::flag_bits)};
-    float* number = window.lights[window.count][0].x.data();
-    for (const auto& stokes : light.polarized)
-        for (const float s : stokes.s) *number++ = s;
-    for (const float power : light.unpolarized) *number++ = power;
-    ++window.count;
-}
-
 }  // namespace brewster::transport

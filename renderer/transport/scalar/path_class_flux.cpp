@@ -15,10 +15,11 @@ using FullFlight = Flight<float, 4, band_count>;
 // The light that arrives at the end of the class; nothing where the photon goes another way.
 bool arrives(const TransportContext& context, const std::vector<std::vector<bool>>& allowed, std::uint64_t photon,
              FullFlight& flight) {
-    const EmittedPhoton emitted = context.emission.sample(photon);
-    Ray ray = emitted.ray;
+    const EmittedPhoton<float> emitted = context.emission.sample(photon);
+    Ray ray = first_ray(emitted);
+    ray.meets_holes = false;
     flight.direction = float_vector(ray.direction);
-    flight.light = emitted_light<4, band_count>(context.scene, emitted);
+    flight.light = emitted_light<4, band_count>(context.scene, context.emission, emitted);
     flight.reference = flight.light.largest();
     flight.key = {static_cast<std::uint32_t>(photon), static_cast<std::uint32_t>(photon >> 32), 0};
     flight.alive = flight.direct = true;

@@ -87,12 +87,11 @@ bool deposit_arrival(const TransportContext& context, const Hit& hit, const Meet
 
 template <int components, int bands, bool gloss>
 void trace_photon(const TransportContext& context, std::uint64_t photon, Books<float>& books, WorkerSums& sums) {
-    const EmittedPhoton emitted = context.emission.sample(photon);
-    Ray ray = emitted.ray;
-    ray.meets_holes = true;
+    const EmittedPhoton<float> emitted = context.emission.sample(photon);
+    Ray ray = first_ray(emitted);
     Flight<float, components, bands> flight;
     flight.direction = float_vector(ray.direction);
-    flight.light = emitted_light<components, bands>(context.scene, emitted);
+    flight.light = emitted_light<components, bands>(context.scene, context.emission, emitted);
     flight.reference = flight.light.largest();
     flight.key = {static_cast<std::uint32_t>(photon), static_cast<std::uint32_t>(photon >> 32), 0};
     flight.alive = flight.direct = true;
