@@ -45,16 +45,6 @@ inline __m256i quanta_of(__m128 weights) {
     return _mm256_sub_epi64(_mm256_castpd_si256(sum), _mm256_castpd_si256(magic));
 }
 
-/// sums[i] += to_quanta(weights[i]).
-[[gnu::always_inline]] inline void add_quanta(Quanta* sums, const float* weights, std::size_t count) {
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4) {
-        auto* const at = reinterpret_cast<__m256i*>(sums + i);
-        _mm256_storeu_si256(at, _mm256_add_epi64(_mm256_loadu_si256(at), quanta_of(_mm_loadu_ps(weights + i))));
-    }
-    for (; i < count; ++i) sums[i] += to_quanta(weights[i]);
-}
-
 /// The sum over the lanes of `mask` of to_quanta(weight), four partial sums.
 struct QuantaLanes {
     __m256i sums = _mm256_setzero_si256();

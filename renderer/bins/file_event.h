@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/rows.h"
 #include "bins/imprint.h"
 #include "bins/tree.h"
 
@@ -21,18 +22,15 @@ struct Arrival {
 template <int D>
 inline void file_event(const BinTree<D>& tree, Tally<D>& tally, std::uint32_t leaf,
                        const typename BinTree<D>::Point& point, const Arrival& arrival) {
-    constexpr int most_fields = RecordLayout<D>::most_fields;
     const LeafFrame<D>& frame = tree.frame(leaf);
     const int bands = tree.layout().bands;
-    std::array<float, D> x;
+    std::array<float, 4> x{};
     for (std::size_t a = 0; a < D; ++a) x[a] = frame.coordinate(point[a], a);
     const ImprintPlace place{static_cast<int>(arrival.weights.size()) / bands, arrival.first_field, arrival.first_side,
                              arrival.replica};
-    std::array<float, static_cast<std::size_t>(most_fields * band_count)> weights{};
+    std::array<float, static_cast<std::size_t>(RecordLayout<D>::most_fields * band_count)> weights{};
     std::copy(arrival.weights.begin(), arrival.weights.end(), weights.begin());
-    Imprint<float, D, most_fields, band_count> imprint;
-    make_imprint(weights.data(), place.fields, bands, x, imprint);
-    add_imprint<D, most_fields, band_count>(imprint.x.data(), place, bands, tally.estimate(leaf), tally.test(leaf));
+    add_imprint<D>(weights.data(), x.data(), place, bands, tally.estimate(leaf), tally.test(leaf));
 }
 
 /// Cell coordinates of a point in its leaf, in lanes.

@@ -1,74 +1,10 @@
 #pragma once
-#include <array>
 #include <cstddef>
 
-#include "base/rows.h"
+#include "base/double_quad.h"
 #include "bins/record.h"
 
 namespace brewster {
-
-/// What one arrival of light adds to the records of its leaf, in weights, for one photon or for a batch of lanes: the
-/// numbers stand in the order of the records, so that whole runs of them are added at a time.
-template <class Real, int D, int most_fields, int most_bands>
-struct Imprint {
-    static constexpr std::size_t estimate_at = 0;
-    static constexpr std::size_t head_at =
-        static_cast<std::size_t>(most_fields * most_bands * RecordLayout<D>::estimate_stride);
-    static constexpr std::size_t head_size = RecordLayout<D>::replicas;  ///< of the test record, replicas come next
-    static constexpr std::size_t sides_at = head_at + head_size;
-    static constexpr std::size_t main_at = sides_at + static_cast<std::size_t>((most_fields - 1) * 2 * D);
-    static constexpr std::size_t size = main_at + 1;
-
-    std::array<Real, size> x;
-};
-
-/// `weights`: per field and band, in units of photon weight; the first field is the main light, those behind it are side
-/// fields. `at`: cell coordinates of [-1, 1].
-template <class Real, int D, int most_fields, int most_bands>
-[[gnu::always_inline]] inline void make_imprint(const Real* weights, int fields, int bands,
-                                                const std::array<Real, static_cast<std::size_t>(D)>& at,
-                                                Imprint<Real, D, most_fields, most_bands>& imprint) {
-    using Places = Imprint<Real, D, most_fields, most_bands>;
-    constexpr auto dimensions = static_cast<std::size_t>(D);
-    const int channels = fields * bands;
-    Real* estimate = imprint.x.data();
-    for (int channel = 0; channel < channels; ++channel) {
-        const Real w = weights[channel];
-        *estimate++ = w;
-        for (std::size_t a = 0; a < dimensions; ++a) *estimate++ = w * at[a];
-        *estimate++ = w * w;
-    }
-
-    const Real share(1.0f / static_cast<float>(bands));
-    const auto band_mean = [&](int field) {
-        Real sum = weights[field * bands];
-        for (int band = 1; band < bands; ++band) sum = sum + weights[field * bands + band];
-        return sum * share;
-    };
-    std::array<Real, dimensions> legendre;
-    std::array<decltype(at[0] < 0), dimensions> negative;
-    for (std::size_t a = 0; a < dimensions; ++a) {
-        legendre[a] = constant<Real>(1.5) * at[a] * at[a] - constant<Real>(0.5);
-        negative[a] = at[a] < 0;
-    }
-    const Real w = band_mean(0);
-    Real* head = imprint.x.data() + Places::head_at;
-    *head++ = w * w;
-    for (std::size_t a = 0; a < dimensions; ++a) *head++ = w * at[a];
-    for (std::size_t a = 0; a < dimensions; ++a) *head++ = w * legendre[a];
-    for (std::size_t a = 0; a < dimensions; ++a) *head++ = select(negative[a], -w, w);
-    for (std::size_t a = 0; a < dimensions; ++a)
-        for (std::size_t b = a + 1; b < dimensions; ++b)
-            *head++ = select((negative[a] && !negative[b]) || (negative[b] && !negative[a]), -w, w);
-    imprint.x[Places::main_at] = w;
-
-    Real* side = imprint.x.data() + Places::sides_at;
-    for (int field = 1; field < fields; ++field) {
-        const Real s = band_mean(field);
-        for (std::size_t a = 0; a < dimensions; ++a) *side++ = s * legendre[a];
-        for (std::size_t a = 0; a < dimensions; ++a) *side++ = select(negative[a], -s, s);
-    }
-}
 
 /// Where an arrival goes in the records of its leaf.
 struct ImprintPlace {
@@ -77,19 +13,86 @@ struct ImprintPlace {
     std::uint32_t replica = 0;  ///< photon index mod 8
 };
 
-/// Adds the numbers of one photon, in a row of memory, to a leaf's records.
-template <int D, int most_fields, int most_bands>
-[[gnu::always_inline]] inline void add_imprint(const float* row, const ImprintPlace& place, int bands, Quanta* estimate,
-                                               Quanta* test) {
-    using Places = Imprint<float, D, most_fields, most_bands>;
+namespace imprint_detail {
+
+inline DoubleQuad second_legendre(DoubleQuad x) {
+    return everywhere(1.5) * x * x - everywhere(0.5);
+}
+
+/// What cell coordinates make of a weight: products of both, in the order of the records.
+template <int D>
+struct Factors;
+
+template <>
+struct Factors<2> {
+    /// `x`: both coordinates, twice.
+    explicit Factors(const float* at)
+        : x(ordered<0, 1, 0, 1>(load_quad(at))), legendre(second_legendre(x)), sign(sign_of(x)) {}
+
+    void add_estimate(DoubleQuad quanta, DoubleQuad w, Quanta* sums) const {
+        add_quanta(sums, quanta, joined<3>(joined<1>(everywhere(1), ordered<0, 0, 1, 1>(x)), w));
+    }
+    void add_head(DoubleQuad quanta, DoubleQuad w, Quanta* sums) const {
+        add_quanta(sums, quanta, joined<2>(x, legendre));
+        add_quanta(sums + 4, quanta, joined<3>(joined<2>(sign, sign * ordered<1, 0, 3, 2>(sign)), w));
+    }
+    void add_side(DoubleQuad quanta, Quanta* sums) const { add_quanta(sums, quanta, joined<2>(legendre, sign)); }
+
+    DoubleQuad x, legendre, sign;
+};
+
+template <>
+struct Factors<4> {
+    explicit Factors(const float* at) : x(load_quad(at)), legendre(second_legendre(x)), sign(sign_of(x)) {}
+
+    void add_estimate(DoubleQuad quanta, DoubleQuad w, Quanta* sums) const {
+        add_quanta(sums, quanta, joined<1>(everywhere(1), ordered<0, 0, 1, 2>(x)));
+        add_two_quanta(sums + 4, quanta, joined<1>(ordered<3, 3, 3, 3>(x), w));
+    }
+    void add_head(DoubleQuad quanta, DoubleQuad w, Quanta* sums) const {
+        add_quanta(sums, quanta, x);
+        add_quanta(sums + 4, quanta, legendre);
+        add_quanta(sums + 8, quanta, sign);
+        add_quanta(sums + 12, quanta, ordered<0, 0, 0, 1>(sign) * ordered<1, 2, 3, 2>(sign));
+        // The last number falls on the first replica and is zero.
+        const DoubleQuad last = ordered<1, 2, 1, 2>(sign) * ordered<3, 3, 3, 3>(sign);
+        add_quanta(sums + 16, quanta, joined<2>(last, joined<3>(w, everywhere(0))));
+    }
+    void add_side(DoubleQuad quanta, Quanta* sums) const {
+        add_quanta(sums, quanta, legendre);
+        add_quanta(sums + 4, quanta, sign);
+    }
+
+    DoubleQuad x, legendre, sign;
+};
+
+}  // namespace imprint_detail
+
+/// Adds one arrival of light to both records of its leaf. `weights`: per field and band, in units of photon weight; the
+/// first field is the main light, those behind it are side fields. `at`: cell coordinates of [-1, 1], four floats in
+/// memory of which the first D count.
+template <int D>
+[[gnu::always_inline]] inline void add_imprint(const float* weights, const float* at, const ImprintPlace& place,
+                                               int bands, Quanta* estimate, Quanta* test) {
     using Layout = RecordLayout<D>;
-    const auto channels = static_cast<std::size_t>(place.fields * bands);
-    add_quanta(estimate + place.first_field * bands * Layout::estimate_stride, row, channels * Layout::estimate_stride);
-    add_quanta(test, row + Places::head_at, Places::head_size);
-    test[Layout::replicas + static_cast<int>(place.replica)] += to_quanta(row[Places::main_at]);
-    if (place.fields > 1)
-        add_quanta(test + Layout::sides + place.first_side * Layout::side_stride, row + Places::sides_at,
-                   static_cast<std::size_t>((place.fields - 1) * Layout::side_stride));
+    const imprint_detail::Factors<D> factors(at);
+    const float share = 1.0f / static_cast<float>(bands);
+    estimate += place.first_field * bands * Layout::estimate_stride;
+    Quanta* side = test + Layout::sides + place.first_side * Layout::side_stride;
+    for (int field = 0; field < place.fields; ++field) {
+        float sum = weights[0];
+        for (int band = 1; band < bands; ++band) sum += weights[band];
+        for (int band = 0; band < bands; ++band, ++weights, estimate += Layout::estimate_stride)
+            factors.add_estimate(in_quanta(*weights), everywhere(static_cast<double>(*weights)), estimate);
+        const float mean = sum * share;
+        if (field > 0) {
+            factors.add_side(in_quanta(mean), side);
+            side += Layout::side_stride;
+            continue;
+        }
+        factors.add_head(in_quanta(mean), everywhere(static_cast<double>(mean)), test);
+        test[Layout::replicas + static_cast<int>(place.replica)] += to_quanta(mean);
+    }
 }
 
 }  // namespace brewster

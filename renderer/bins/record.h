@@ -19,19 +19,19 @@ inline constexpr int replica_count = 8;  ///< photon index mod 8; their spread g
 /// and direction (D = 4): S0, S1, .. of the polarized world, then S0 of the unpolarized one where that differs.
 ///
 /// The estimate has for each channel sum w, sum w x_a of the cell coordinates x_a of [-1, 1], and sum w^2. The test has,
-/// of the band mean of the main fields: sum w^2, per axis sum w x, sum w (3 x^2 - 1)/2, sum w sign x, per pair of axes
-/// sum w sign x_a sign x_b, and sum w of each replica; then of each side field, per axis, sum w (3 x^2 - 1)/2 and
-/// sum w sign x: a split may be seen in them alone.
+/// of the band mean of the main fields: per axis sum w x, sum w (3 x^2 - 1)/2, sum w sign x, per pair of axes
+/// sum w sign x_a sign x_b, then sum w^2, and sum w of each replica; then of each side field, per axis,
+/// sum w (3 x^2 - 1)/2 and sum w sign x: a split may be seen in them alone.
 template <int D>
 struct RecordLayout {
     static constexpr int estimate_stride = D + 2;
     static constexpr int pair_count = D * (D - 1) / 2;
-    static constexpr int squares = 0;
-    static constexpr int moments = 1;
+    static constexpr int moments = 0;
     static constexpr int legendre = moments + D;
     static constexpr int signs = legendre + D;
     static constexpr int products = signs + D;
-    static constexpr int replicas = products + pair_count;
+    static constexpr int squares = products + pair_count;
+    static constexpr int replicas = squares + 1;
     static constexpr int sides = replicas + replica_count;
     static constexpr int side_stride = 2 * D;
 

@@ -10,7 +10,7 @@
 /// its bytes, and an empty block "end" that says that nothing is missing.
 namespace brewster {
 
-inline constexpr std::uint32_t solution_file_version = 1;
+inline constexpr std::uint32_t solution_file_version = 2;
 
 /// Collects blocks and writes them in one go.
 class SolutionWriter {

@@ -35,6 +35,7 @@ TEST(WordLanes, DoWhatWordsDo) {
         const auto sum = lanes_of(x + y), difference = lanes_of(x - y), product = lanes_of(x * y);
         const auto shifted = lanes_of((x << 5) ^ (y >> 7)), chosen = lanes_of(select(below(x >> 1, y >> 1), x, y));
         const auto high = lanes_of(wide_product(x, b[0]).high), low = lanes_of(wide_product(x, b[0]).low);
+        const auto third = lanes_of(third_of(x >> 1));
         const unsigned top = bits_of(has_top_bit(x)), equals = bits_of(equal(x & WordLanes(1u), y & WordLanes(1u)));
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
             EXPECT_EQ(sum[lane], a[lane] + b[lane]);
@@ -44,11 +45,17 @@ TEST(WordLanes, DoWhatWordsDo) {
             EXPECT_EQ(chosen[lane], a[lane] >> 1 < b[lane] >> 1 ? a[lane] : b[lane]);
             EXPECT_EQ(std::uint64_t{high[lane]} << 32 | low[lane], std::uint64_t{a[lane]} * b[0]);
             EXPECT_EQ(top >> lane & 1u, a[lane] >> 31);
+            EXPECT_EQ(third[lane], (a[lane] >> 1) / 3);
             EXPECT_EQ(equals >> lane & 1u, 1u ^ ((a[lane] ^ b[lane]) & 1u));
         }
     }
     EXPECT_EQ(bits_of(first_lanes(3)), 7u);
     EXPECT_EQ(bits_of(first_lanes(0)), 0u);
+    const CountLanes counted = counted_from((std::uint64_t{6} << 32) - 3);
+    for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
+        EXPECT_EQ(lanes_of(counted.low)[lane], lane - 3);
+        EXPECT_EQ(lanes_of(counted.high)[lane], lane < 3 ? 5u : 6u);
+    }
 }
 
 TEST(WordLanes, GatherReadsEveryLaneItsOwn) {
@@ -57,7 +64,7 @@ TEST(WordLanes, GatherReadsEveryLaneItsOwn) {
     const auto index = lanes_of(load_words(some_words(1).data()) & WordLanes(31u));
     const auto once = lanes_of(gather<1>(table.data(), load_words(index.data())));
     const auto twice = lanes_of(gather<2>(table.data() + 1, load_words(index.data())));
-    const PairLanes pair = gather_pair(table.data(), load_words(index.data()));
+    const auto pair = gather_pair(table.data(), load_words(index.data()));
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         EXPECT_EQ(lanes_of(pair.first)[lane], 1000 + 2 * index[lane]);
         EXPECT_EQ(lanes_of(pair.second)[lane], 1001 + 2 * index[lane]);
@@ -94,22 +101,15 @@ TEST(Rows, TurnIntoColumnsAndBack) {
         }
 }
 
-// Of any length and size, ties included, up to the largest weight.
+// Of any size, ties included, up to the largest weight.
 TEST(Rows, QuantaAreThoseOfOneWeight) {
-    std::array<float, 23> weights;
+    std::array<float, 16> weights;
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const auto words = some_words(i);
         weights[i] = std::ldexp(unit_float(words[0]) - 0.5f, static_cast<int>(words[1] % 60) - 38);
     }
     weights[3] = 0x3p-31f;
     weights[5] = -0x1.fffffep20f;
-    for (std::size_t count = 0; count <= weights.size(); ++count) {
-        std::array<Quanta, 23> sums{};
-        sums.fill(100);
-        add_quanta(sums.data(), weights.data(), count);
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            EXPECT_EQ(sums[i], 100 + (i < count ? std::llrint(std::ldexp(static_cast<double>(weights[i]), 30)) : 0));
-    }
     QuantaLanes lanes;
     lanes.add(first_lanes(5), load<FloatLanes>(weights.data()));
     lanes.subtract(first_lanes(2), load<FloatLanes>(weights.data() + 8));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "base/philox.h"
 #include "bins/direction_map.h"
@@ -83,39 +84,73 @@ TEST(BinTree, LanesDescendWhereOnePhotonDoes) {
     expect_same_descent<4>();
 }
 
-// Lanes and one photon add the same quanta to the same places of both records.
-TEST(Imprint, LanesFileWhatOnePhotonFiles) {
-    constexpr int fields = 4, bands = 3;
-    const RecordLayout<4> layout = GlossFields{bands, 3}.layout();
-    const auto estimates = static_cast<std::size_t>(layout.estimate_size()),
-               tests = static_cast<std::size_t>(layout.test_size());
-    for (std::uint64_t i = 0; i < 200; ++i) {
-        std::array<FloatLanes, fields * bands> weights;
-        std::array<FloatLanes, 4> place;
-        for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
-            for (std::uint32_t w = 0; w < weights.size(); ++w)
-                weights[w][lane] = unit_float(philox(1, i, lane, w)[0]) - 0.2f;
-            for (std::size_t a = 0; a < 4; ++a) place[a][lane] = 2 * unit_float(philox(1, i, lane, 50)[a]) - 1;
+// Quanta of a weight times a factor, as the C library rounds them; long double holds the products.
+Quanta quanta_of_product(float weight, long double factor) {
+    return std::llrint(std::ldexp(static_cast<long double>(weight) * factor, 30));
+}
+
+// Every number of both records against its definition in record.h; the rest of the records is left alone.
+template <int D>
+void expect_imprint(const RecordLayout<D>& layout, int fields, int first_field, int first_side) {
+    using Layout = RecordLayout<D>;
+    const int bands = layout.bands;
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        std::vector<float> weights;
+        for (int w = 0; w < fields * bands; ++w)
+            weights.push_back(unit_float(philox(1, i, D, static_cast<std::uint32_t>(w))[0]) - 0.2f);
+        std::array<float, 4> at{};
+        for (std::size_t a = 0; a < D; ++a) at[a] = 2 * unit_float(philox(1, i, D, 50)[a]) - 1;
+        if (i % 8 == 0) at[0] = 0;
+        std::vector<Quanta> estimate(static_cast<std::size_t>(layout.estimate_size()), 7), expected_estimate = estimate;
+        std::vector<Quanta> test(static_cast<std::size_t>(layout.test_size()), 7), expected_test = test;
+        add_imprint<D>(weights.data(), at.data(), {fields, first_field, first_side, i % 8}, bands, estimate.data(),
+                       test.data());
+
+        const auto sign = [&](int a) { return at[static_cast<std::size_t>(a)] < 0 ? -1.0L : 1.0L; };
+        const auto square = [&](int a) {  // rounded as a double is
+            const double x = at[static_cast<std::size_t>(a)];
+            return static_cast<long double>(1.5 * x * x - 0.5);
+        };
+        for (int channel = 0; channel < fields * bands; ++channel) {
+            Quanta* row =
+                &expected_estimate[static_cast<std::size_t>((first_field * bands + channel) * Layout::estimate_stride)];
+            const float w = weights[static_cast<std::size_t>(channel)];
+            *row++ += quanta_of_product(w, 1);
+            for (std::size_t a = 0; a < D; ++a) *row++ += quanta_of_product(w, static_cast<long double>(at[a]));
+            *row += quanta_of_product(w, static_cast<long double>(w));
         }
-        Imprint<FloatLanes, 4, fields, bands> lanes;
-        make_imprint(weights.data(), fields, bands, place, lanes);
-        for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
-            std::array<float, fields * bands> own;
-            for (std::size_t w = 0; w < own.size(); ++w) own[w] = weights[w][lane];
-            Imprint<float, 4, fields, bands> alone;
-            make_imprint(own.data(), fields, bands,
-                         std::array<float, 4>{place[0][lane], place[1][lane], place[2][lane], place[3][lane]}, alone);
-            std::vector<float> row;
-            for (const FloatLanes& x : lanes.x) row.push_back(x[lane]);
-            const ImprintPlace where{fields, 0, 0, lane};
-            std::vector<Quanta> estimate(estimates), other_estimate(estimates), test(tests), other_test(tests);
-            add_imprint<4, fields, bands>(row.data(), where, bands, estimate.data(), test.data());
-            add_imprint<4, fields, bands>(alone.x.data(), where, bands, other_estimate.data(), other_test.data());
-            EXPECT_EQ(estimate, other_estimate);
-            EXPECT_EQ(test, other_test);
-            EXPECT_NE(test[static_cast<std::size_t>(RecordLayout<4>::replicas) + lane], 0);
+        for (int field = 0; field < fields; ++field) {
+            float mean = 0;
+            for (int band = 0; band < bands; ++band) mean += weights[static_cast<std::size_t>(field * bands + band)];
+            mean *= 1.0f / static_cast<float>(bands);
+            const auto add = [&](int place, long double factor) {
+                expected_test[static_cast<std::size_t>(place)] += quanta_of_product(mean, factor);
+            };
+            const int side = Layout::sides + (first_side + field - 1) * Layout::side_stride;
+            for (int a = 0; a < D; ++a) {
+                if (field == 0) add(Layout::moments + a, static_cast<long double>(at[static_cast<std::size_t>(a)]));
+                add(field == 0 ? Layout::legendre + a : side + a, square(a));
+                add(field == 0 ? Layout::signs + a : side + D + a, sign(a));
+            }
+            if (field > 0) continue;
+            int pair = Layout::products;
+            for (int a = 0; a < D; ++a)
+                for (int b = a + 1; b < D; ++b) add(pair++, sign(a) * sign(b));
+            add(Layout::squares, static_cast<long double>(mean));
+            add(Layout::replicas + static_cast<int>(i % 8), 1);
         }
+        EXPECT_EQ(estimate, expected_estimate);
+        EXPECT_EQ(test, expected_test);
     }
+}
+
+TEST(Imprint, AddsEveryNumberOfTheRecords) {
+    expect_imprint<4>(GlossFields{3, 3}.layout(), 4, 0, 0);
+    expect_imprint<4>(GlossFields{3, 4}.layout(), 5, 0, 0);
+    expect_imprint<4>(GlossFields{1, 1}.layout(), 1, 0, 0);
+    expect_imprint<2>(EntryFields{3, 2, 2}.layout(), 2, 2, 1);
+    expect_imprint<2>(EntryFields{3, 1, 2}.layout(), 1, 0, 0);
+    expect_imprint<2>(EntryFields{1, 1, 1}.layout(), 1, 1, 0);
 }
 
 }  // namespace

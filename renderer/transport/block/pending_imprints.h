@@ -2,20 +2,21 @@
 #include <array>
 #include <bit>
 
+#include "base/rows.h"
 #include "bins/imprint.h"
-#include "bins/record.h"
 
 namespace brewster::transport {
 
-/// Files imprints a batch later than they come, so that the records are on their way from memory meanwhile.
+/// Files arrivals a batch later than they come, so that the records are on their way from memory meanwhile.
 template <int D, int most_fields, int bands>
 class PendingImprints {
   public:
-    using Lanes = Imprint<FloatLanes, D, most_fields, bands>;
     using Places = std::array<ImprintPlace, lane_count>;
+    static constexpr std::size_t most_weights = static_cast<std::size_t>(most_fields * bands);
 
-    /// One arrival a lane of `mask`, at the leaf of that lane.
-    void add(Tally<D>& tally, const LaneMask& mask, WordLanes leaf, const Places& places, const Lanes& imprint) {
+    /// One arrival a lane of `mask`, at the leaf of that lane. `weights`: per field and band; `at`: cell coordinates.
+    void add(Tally<D>& tally, const LaneMask& mask, WordLanes leaf, const Places& places, const FloatLanes* weights,
+             const std::array<FloatLanes, D>& at) {
         flush(tally);
         mask_ = bits_of(mask);
         store(leaf, leaves_.data());
@@ -25,10 +26,13 @@ class PendingImprints {
             prefetch(tally.estimate(row), tally.estimate_size() * sizeof(Quanta));
             prefetch(tally.test(row), tally.test_size() * sizeof(Quanta));
         }
+        // The coordinates come first.
+        std::array<FloatLanes, rows * row_size> numbers{};
+        for (std::size_t a = 0; a < D; ++a) numbers[a] = at[a];
+        for (std::size_t i = 0; i < most_weights; ++i) numbers[D + i] = weights[i];
         for (std::size_t row = 0; row < rows; ++row) {
-            Columns columns{};
-            for (std::size_t j = 0; j < row_size && row * row_size + j < Lanes::size; ++j)
-                columns[j] = imprint.x[row * row_size + j];
+            Columns columns;
+            for (std::size_t j = 0; j < row_size; ++j) columns[j] = numbers[row * row_size + j];
             store_columns(columns, [&](int lane) { return rows_[static_cast<std::size_t>(lane)][row].x.data(); });
         }
     }
@@ -36,13 +40,14 @@ class PendingImprints {
     void flush(Tally<D>& tally) {
         for (; mask_ != 0; mask_ &= mask_ - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(mask_));
-            add_imprint<D, most_fields, bands>(rows_[lane][0].x.data(), places_[lane], bands,
-                                               tally.estimate(leaves_[lane]), tally.test(leaves_[lane]));
+            const float* const numbers = rows_[lane][0].x.data();
+            add_imprint<D>(numbers + D, numbers, places_[lane], bands, tally.estimate(leaves_[lane]),
+                           tally.test(leaves_[lane]));
         }
     }
 
   private:
-    static constexpr std::size_t rows = (Lanes::size + row_size - 1) / row_size;
+    static constexpr std::size_t rows = (D + most_weights + row_size - 1) / row_size;
 
     unsigned mask_ = 0;
     std::array<std::uint32_t, lane_count> leaves_{};

@@ -181,8 +181,6 @@ class BlockTracer : public PhotonTracer {
         const EntryFields& fields = context.bins.entry_fields;
         const std::array<WordLanes, 2> point = {at.u, at.v};
         const WordLanes leaf = tree.descend(tree.enter(at.chart, at.u, at.v), point);
-        typename PendingImprints<2, worlds, bands>::Lanes imprint;
-        make_imprint(entering.weights.data(), worlds, bands, leaf_coordinates<2>(tree, leaf, point), imprint);
         typename PendingImprints<2, worlds, bands>::Places places;
         std::array<std::uint32_t, lane_count> photons;
         store(flight.key.photon_low, photons.data());
@@ -192,7 +190,8 @@ class BlockTracer : public PhotonTracer {
             places[lane] = {fields.worlds(light), fields.field(light, 0), light == 0 ? 0 : fields.direct_worlds - 1,
                             photons[lane] % replica_count};
         }
-        entry_.add(sums.entry, LaneMask(present && entering.filed), leaf, places, imprint);
+        entry_.add(sums.entry, LaneMask(present && entering.filed), leaf, places, entering.weights.data(),
+                   leaf_coordinates<2>(tree, leaf, point));
     }
 
     void deposit_gloss(const TransportContext& context, const Meeting<FloatLanes>& at,
@@ -215,9 +214,7 @@ class BlockTracer : public PhotonTracer {
             if (!any_of(filed)) continue;
             const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};
             const WordLanes leaf = tree.descend(place, point);
-            typename PendingImprints<4, gloss_fields, bands>::Lanes imprint;
-            make_imprint(sent.weights.data(), gloss_fields, bands, leaf_coordinates<4>(tree, leaf, point), imprint);
-            gloss_.add(sums.gloss, filed, leaf, places, imprint);
+            gloss_.add(sums.gloss, filed, leaf, places, sent.weights.data(), leaf_coordinates<4>(tree, leaf, point));
         }
     }
 
