@@ -19,7 +19,7 @@ std::vector<bool> guided_lamps(const Scene& scene) {
 }  // namespace
 
 PhotonEmission::PhotonEmission(const Scene& scene, std::uint64_t seed)
-    : scene_(scene), sampler_(scene), guide_(guided_lamps(scene)), seed_(seed) {
+    : sampler_(scene), guide_(guided_lamps(scene)), seed_(seed) {
     for (const Lamp& lamp : scene.lamps) mean_power_ += static_cast<double>(lamp.mean_power());
     double sum = 0;
     for (const Lamp& lamp : scene.lamps) {

@@ -56,7 +56,6 @@ class PhotonEmission {
     EmittedPhoton<Real> sample_by(const Word<Real>& lamp, const std::array<Word<Real>, 4>& words) const;
     std::uint32_t lamp_of(std::uint32_t word) const;
 
-    const Scene& scene_;
     const LampSampler sampler_;
     EmissionGuide guide_;
     std::uint64_t seed_;
