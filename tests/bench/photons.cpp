@@ -142,10 +142,14 @@ struct Run {
     double nanoseconds() const { return 1e9 * seconds / static_cast<double>(progress.rays); }
 };
 
-Run run(const std::shared_ptr<const Scene>& scene, std::uint64_t photons, std::size_t window) {
+Run run(const std::shared_ptr<const Scene>& scene, std::uint64_t photons, std::size_t window, bool files_gloss = true) {
     EngineSettings settings;
     settings.threads = 1;
     settings.window = window;
+    if (!files_gloss) {
+        const Needs needs = needs_of(*scene);
+        settings.kernel = KernelChoice{needs.stokes, needs.bands, false};
+    }
     Engine engine(scene, settings);
     Run result;
     result.seconds = seconds_of([&] {
@@ -169,7 +173,7 @@ void measure(const std::string& path, std::size_t rounds, std::uint64_t photons)
     const BareEmbree embree(*scene);
     std::vector<TriangleHit> hits(default_window);
 
-    std::vector<double> bare, asked, emitted, block, scalar, over_bare, over_scalar;
+    std::vector<double> bare, asked, emitted, filing, block, scalar, over_bare, over_scalar;
     std::size_t met = 0;
     for (std::size_t round = 0; round < rounds; ++round) {
         const auto count = static_cast<double>(recorded.rays.size());
@@ -185,14 +189,15 @@ void measure(const std::string& path, std::size_t rounds, std::uint64_t photons)
                                   met += any_of(emission.sample_lanes(photon).start.position.x > 1e30f);
                           }));
         block.push_back(run(scene, photons, default_window).nanoseconds());
+        filing.push_back(block.back() - run(scene, photons, default_window, false).nanoseconds());
         scalar.push_back(run(scene, photons / 4, 0).nanoseconds());
         over_bare.push_back(bare.back() / block.back());
         over_scalar.push_back(scalar.back() / block.back());
     }
-    std::printf("%-16s %6.2f %9.1f %9.1f %8.1f %9.1f %9.1f %9.2f %9.2f%s\n", scene->name.c_str(),
+    std::printf("%-16s %6.2f %9.1f %9.1f %8.1f %9.1f %9.1f %9.1f %9.2f %9.2f%s\n", scene->name.c_str(),
                 static_cast<double>(recorded.rays.size()) / static_cast<double>(recorded.photons), median(bare),
-                median(scalar), median(block), median(asked), median(emitted), median(over_bare), median(over_scalar),
-                met == 0 ? " (no hits)" : "");
+                median(scalar), median(block), median(asked), median(emitted), median(filing), median(over_bare),
+                median(over_scalar), met == 0 ? " (no hits)" : "");
 }
 
 }  // namespace
@@ -204,7 +209,8 @@ int main(int count, char** arguments) {
         return 2;
     }
     std::printf(
-        "nanoseconds a ray: rays/photon, bare Embree, scalar, blocks, of these asking for hits and emission; "
+        "nanoseconds a ray: rays/photon, bare Embree, scalar, blocks, of these asking for hits, emission and filing "
+        "gloss; "
         "bare/blocks, scalar/blocks\n");
     for (int i = 3; i < count; ++i)
         brewster::measure(arguments[i], std::stoul(arguments[1]), static_cast<std::uint64_t>(std::stod(arguments[2])));

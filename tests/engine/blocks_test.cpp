@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "engine/engine.h"
 #include "slow.h"
 #include "trace.h"
@@ -32,6 +34,52 @@ TEST(Blocks, AreTheScalarEngineOnEveryScene) {
         EXPECT_EQ(digest_of(scene, some, default_window, 2), oracle) << name;
         EXPECT_NE(digest_of(scene, some - 1, default_window, 2), oracle) << name;
     }
+}
+
+// Filters, panes, water, suns and lamps with a state of their own.
+TEST(Blocks, AreTheScalarEngineInScenesThatTeach) {
+    constexpr std::uint64_t some = slow ? 500 : 8000;
+    for (const char* name : {"harpsichord-room.gltf", "shop-window.gltf", "sphere-lab.gltf", "three-polarizers.gltf",
+                             "two-mirrors.gltf", "water-glare.gltf", "waveplates.gltf"}) {
+        const auto scene = rooms::read(name);
+        EXPECT_EQ(digest_of(scene, some, default_window, 2), digest_of(scene, some, 0, 1)) << name;
+    }
+}
+
+// Corners in turn are clear, so that every surface has holes; some of them are met from behind, where nothing is filed.
+TEST(Blocks, AreTheScalarEngineThroughHoles) {
+    constexpr std::uint64_t some = slow ? 1000 : 10000;
+    for (const char* name : {"cornell-box.gltf", "gloss-lab.gltf", "spheres.gltf"}) {
+        auto riddled = std::make_shared<Scene>(*rooms::read(name));
+        for (Material& material : riddled->materials) material.alpha_cutoff = 0.4f;
+        riddled->vertex_colors.assign(riddled->vertices.size(), glm::vec4(1.0f));
+        for (std::size_t i = 0; i < riddled->vertices.size(); i += 3) riddled->vertex_colors[i].w = 0;
+        const std::string oracle = digest_of(riddled, some, 0, 1);
+        for (const std::size_t window : {256u, 8192u}) EXPECT_EQ(digest_of(riddled, some, window, 2), oracle) << name;
+        EXPECT_NE(digest_of(rooms::read(name), some, default_window, 2), oracle) << name;
+    }
+}
+
+// In the middle of a batch, and taken up again by another engine with other blocks.
+TEST(Blocks, AreTheScalarEngineSavedAndResumed) {
+    constexpr std::uint64_t some = slow ? 2000 : 40000;
+    const auto scene = rooms::read("gloss-lab.gltf");
+    const std::string path = testing::TempDir() + "blocks_resumed.bins";
+    EngineSettings settings;
+    settings.threads = 2;
+    Engine before(scene, settings);
+    trace(before, some / 3 + 1);
+    before.save(path);
+    settings.window = 256;
+    Engine after(scene, settings);
+    after.load(SolutionReader(path));
+    trace(after, some);
+    settings.window = 0;
+    Engine oracle(scene, settings);
+    trace(oracle, some);
+    EXPECT_EQ(after.digest(), oracle.digest());
+    EXPECT_NE(before.digest(), oracle.digest());
+    std::remove(path.c_str());
 }
 
 TEST(Blocks, AreTheScalarEngineWhateverTheirSize) {
