@@ -306,7 +306,7 @@ void Viewer::act(Action action, int argument) {
             window_.toggle_full_screen();
             break;
         case Action::picture:
-            want_picture(".png", argument == 0);
+            take_picture(new_path(".png"), argument == 0);
             break;
         case Action::close:
             close_topmost();

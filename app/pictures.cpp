@@ -77,6 +77,19 @@ void warn_of_what_bins_see_through(const Scene& scene) {
 
 }  // namespace
 
+void describe_picture(Image& stokes, const PictureDescription& picture) {
+    const auto add = [&](const char* name, const std::string& value) {
+        stokes.attributes.emplace_back(std::string("brewster.") + name, value);
+    };
+    add("scene", picture.scene);
+    add("camera", picture.camera);
+    add("photons", std::to_string(picture.photons));
+    add("polarization", picture.polarization ? "on" : "off");
+    add("seed", std::to_string(picture.seed));
+    add("gather", picture.gather ? "on" : "off");
+    add("exposure", exact_text(static_cast<double>(picture.exposure)));
+}
+
 PictureSize size_for(const Camera& camera, const std::optional<PictureSize>& wished) {
     if (wished) return *wished;
     const float width = static_cast<float>(default_picture_height) * camera.aspect_ratio;
@@ -122,13 +135,8 @@ PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot
         if (is_exr(name.path)) {
             Image stokes =
                 from_bins ? picture.stokes(options.polarization) : stokes_image(eye->of(camera), options.polarization);
-            stokes.attributes.emplace_back("brewster.scene", scene.name);
-            stokes.attributes.emplace_back("brewster.camera", camera.name);
-            stokes.attributes.emplace_back("brewster.photons", std::to_string(photons));
-            stokes.attributes.emplace_back("brewster.polarization", options.polarization ? "on" : "off");
-            stokes.attributes.emplace_back("brewster.seed", std::to_string(options.solve.engine.seed));
-            stokes.attributes.emplace_back("brewster.gather", options.gather ? "on" : "off");
-            stokes.attributes.emplace_back("brewster.exposure", exact_text(static_cast<double>(result.exposure)));
+            describe_picture(stokes, {scene.name, camera.name, photons, options.polarization, options.solve.engine.seed,
+                                      options.gather, result.exposure});
             if (options.ground_truth) {
                 if (!rays) rays.emplace(scene);
                 add_ground_truth(stokes, scene, *rays, camera);

@@ -255,9 +255,19 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
     }
     if (step.contains("type")) return stage.type(step["type"]), true;
     if (step.contains("open")) return stage.open(step["open"]), true;
+    if (step.contains("resize")) return stage.resize(step["resize"][0], step["resize"][1]), true;
+    if (step.contains("minimise")) return stage.minimise(step["minimise"]), true;
+    if (step.contains("flat")) return stage.make_flat(step["flat"]), true;
     if (step.contains("capture")) return stage.capture(step["capture"]), true;
     if (step.contains("save")) {
-        if (moved++ == 0) stage.save(step["save"]);
+        if (moved++ == 0) {
+            report["saved"].push_back({{"path", step["save"]}, {"words", state["words"]}});
+            stage.save(step["save"]);
+        }
+        return !stage.state()["saving"].get<bool>();
+    }
+    if (step.contains("save_solution")) {
+        if (moved++ == 0) stage.save_solution(step["save_solution"]);
         return !stage.state()["saving"].get<bool>();
     }
     if (step.contains("wait")) return elapsed >= step["wait"].get<double>();

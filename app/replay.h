@@ -12,11 +12,15 @@ namespace brewster {
 
 /// What a script can do to the window, and see of it.
 struct Stage {
-    std::function<void(const InputEvent&)> input;     ///< as if a person had done it
-    std::function<void(const std::string&)> type;     ///< into the widget that has the keyboard
-    std::function<void(const std::string&)> set;      ///< MATERIAL.PROPERTY=VALUE, as a slider would
-    std::function<void(const std::string&)> open;     ///< a file
-    std::function<void(const std::string&)> save;     ///< a picture of what is seen, .png or .exr
+    std::function<void(const InputEvent&)> input;           ///< as if a person had done it
+    std::function<void(const std::string&)> type;           ///< into the widget that has the keyboard
+    std::function<void(const std::string&)> set;            ///< MATERIAL.PROPERTY=VALUE, as a slider would
+    std::function<void(const std::string&)> open;           ///< a file
+    std::function<void(const std::string&)> save;           ///< a picture of what is seen, .png or .exr
+    std::function<void(const std::string&)> save_solution;  ///< of what is traced, .bins
+    std::function<void(int width, int height)> resize;
+    std::function<void(bool)> minimise;
+    std::function<void(bool)> make_flat;              ///< bins that say the same everywhere, for measuring
     std::function<void(const std::string&)> capture;  ///< the window as it is, .png
     std::function<void()> quit;
     std::function<nlohmann::json()> state;  ///< what there is now, for expectations
@@ -30,7 +34,8 @@ struct Stage {
 ///   {"hold": "C"}  {"let_go": "C"}
 ///   {"move": [x, y]}  {"click": [x, y], "button": "left"}  {"wheel": notches, "at": [x, y]}
 ///   {"drag": [x, y, x, y], "button": "left", "shift": true, "frames": 20}   with "measure": see below
-///   {"type": "0.3"}  {"set": "floor.roughness=0.3"}  {"open": "file.gltf"}  {"save": "a.png"}  {"capture": "a.png"}
+///   {"type": "0.3"}  {"set": "floor.roughness=0.3"}  {"open": "file.gltf"}  {"save": "a.png"}  {"save_solution": "a.bins"}
+///   {"resize": [width, height]}  {"minimise": true}  {"flat": true}  {"capture": "a.png"}
 ///   {"event": {...}}                                     as --record writes it
 ///   {"wait": seconds}  {"until": {"stale": false}, "seconds": 10}   compared as in expect
 ///   {"expect": {"map": "dolp", "photons": {">": 1e6}, "complaint": {"not": ""}}}   a failure if it is not so

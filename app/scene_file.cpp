@@ -15,6 +15,10 @@ std::filesystem::file_time_type time_of(const std::string& path) {
 
 }  // namespace
 
+bool is_solution(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".bins";
+}
+
 SceneFile::SceneFile(std::string path, Read read)
     : path_(std::move(path)), read_(std::move(read)), seen_(time_of(path_)) {}
 
@@ -22,7 +26,7 @@ void SceneFile::open(const std::string& path) {
     wanted_ = path;
     if (reading_.valid()) return;  // its turn comes when that one is done
     being_read_ = std::exchange(wanted_, "");
-    reading_ = std::async(std::launch::async, read_, being_read_);
+    reading_ = std::async(std::launch::async, read_, being_read_, path_);
 }
 
 std::optional<SceneFile::Outcome> SceneFile::take() {
@@ -31,8 +35,10 @@ std::optional<SceneFile::Outcome> SceneFile::take() {
     outcome.path = being_read_;
     outcome.again = being_read_ == path_;
     try {
-        outcome.scene = reading_.get();
-        path_ = being_read_;
+        Solution found = reading_.get();
+        outcome.scene = std::move(found.scene);
+        outcome.engine = std::move(found.engine);
+        if (!outcome.engine) path_ = being_read_;
         seen_ = time_of(path_);
     } catch (const std::exception& error) {
         outcome.complaint = error.what();
@@ -43,7 +49,8 @@ std::optional<SceneFile::Outcome> SceneFile::take() {
         if (outcome.scene) outcome.scene = nullptr;
         outcome.complaint.clear();
     }
-    return outcome.scene || !outcome.complaint.empty() ? std::optional(outcome) : std::nullopt;
+    if (!outcome.scene && outcome.complaint.empty()) return {};
+    return outcome;
 }
 
 void SceneFile::look_for_changes() {

@@ -21,10 +21,17 @@ Stage Viewer::make_stage() {
         if (!setting) throw Error("'" + text + "' is not of the form MATERIAL.PROPERTY=VALUE", "script", "correct it");
         auto changed = std::make_shared<Scene>(*session_.scene());
         apply_settings(*changed, {*setting});
-        session_.change(std::move(changed), true);
+        session_.change(std::move(changed), *setting, true);
     };
     stage.open = [this](const std::string& path) { file_.open(path); };
     stage.save = [this](const std::string& path) { take_picture(path, true); };
+    stage.save_solution = [this](const std::string& path) { save_solution(path); };
+    stage.resize = [this](int width, int height) { window_.resize({width, height}); };
+    stage.minimise = [this](bool minimised) { window_.minimise(minimised); };
+    stage.make_flat = [this](bool flat) {
+        canvas_.picture().make_flat(flat);
+        keeps_resolution_ = flat;
+    };
     stage.capture = [this](const std::string& path) {
         wanted_capture_ = path;
         must_present_ = true;
@@ -47,6 +54,7 @@ Stage Viewer::make_stage() {
             {"gather", view_.gather},
             {"camera", view_.camera.name},
             {"eye", {eye.x, eye.y, eye.z}},
+            {"hidden", hidden_},
             {"moving", moving()},
             {"half", resolution_.half()},
             {"generation", session_.generation()},
@@ -67,7 +75,8 @@ Stage Viewer::make_stage() {
             {"complaint", shown_.complaint},
             {"notice", shown_.notice},
             {"undo", session_.can_undo()},
-            {"saving", taken_ != nullptr},
+            {"saving", taken_ != nullptr || session_.saving()},
+            {"words", words()},
             {"dolp", light_ ? light_->dolp() : -1.0},
             {"radiance", light_ ? light_->mean()[0] : -1.0},
             {"surface", surface_ ? scene_->charts[surface_->chart].mesh : ""}};

@@ -17,26 +17,33 @@ constexpr std::size_t most_steps = 100;  // that undo remembers
 }  // namespace
 
 Session::Session(std::shared_ptr<const Scene> scene, const EngineSettings& settings, const StopRule& rule)
-    : scene_(std::move(scene)), settings_(settings), rule_(rule) {
+    : now_{std::move(scene), settings.changes}, settings_(settings), rule_(rule) {
     begin_generation();
 }
 
 Session::~Session() = default;
 
-void Session::begin_generation() {
-    // What it would trace from now on is nobody's wish; let the new engine have the processor.
-    if (engine_) retire(std::exchange(engine_, nullptr));
+void Session::begin_generation(std::unique_ptr<Engine> engine) {
+    // What the old one would trace from now on is nobody's wish; let the new one have the processor.
+    retire(std::exchange(engine_, nullptr));
     ready_ = false;
     changed_at_ = seconds_now();
     replaced_after_ms_.reset();
-    wanted_ = true;
+    trouble_.clear();
+    wanted_ = !engine;
+    if (engine) {
+        if (making_.valid()) retire(making_.get().engine);
+        engine_ = std::move(engine);
+        return;
+    }
     if (!making_.valid()) make();
 }
 
 void Session::make() {
     wanted_ = false;
     making_generation_ = generation_;
-    making_ = std::async(std::launch::async, [scene = scene_, settings = settings_] {
+    settings_.changes = now_.changes;
+    making_ = std::async(std::launch::async, [scene = now_.scene, settings = settings_] {
         Made made;
         try {
             made.engine = std::make_unique<Engine>(scene, settings);
@@ -52,14 +59,18 @@ void Session::retire(std::unique_ptr<Engine> engine) {
         return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     });
     // Its threads end with their blocks; the window does not wait for them.
-    retiring_.push_back(std::async(std::launch::async, [old = std::move(engine)]() mutable { old.reset(); }));
+    if (!engine) return;
+    retiring_.push_back(std::async(std::launch::async, [old = std::move(engine), saving = saving_]() mutable {
+        if (saving.valid()) saving.wait();
+        old.reset();
+    }));
 }
 
 void Session::advance() {
     if (making_.valid() && making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         Made made = making_.get();
         if (wanted_) {
-            if (made.engine) retire(std::move(made.engine));
+            retire(std::move(made.engine));
             make();
         } else {
             engine_ = std::move(made.engine);
@@ -67,6 +78,16 @@ void Session::advance() {
             if (engine_ && !paused_) engine_->start(rule_);
             if (!engine_) ready_ = true;  // no light: nothing will come
         }
+    }
+    if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        saved_ = "";
+        try {
+            saving_.get();
+        } catch (const std::exception& error) {
+            saved_ = error.what();
+        }
+        saving_ = {};
+        if (!paused_) go_on();
     }
     if (!engine_) return;
     try {
@@ -87,20 +108,23 @@ std::shared_ptr<const Snapshot> Session::snapshot() const {
     return ready_ && engine_ ? engine_->snapshot() : nullptr;
 }
 
-void Session::change(std::shared_ptr<const Scene> changed, bool new_step) {
+void Session::change(std::shared_ptr<const Scene> changed, const Setting& setting, bool new_step) {
     if (new_step) {
-        done_.push_back(scene_);
+        done_.push_back(now_);
         if (done_.size() > most_steps) done_.erase(done_.begin());
     }
     undone_.clear();
-    scene_ = std::move(changed);
+    now_.scene = std::move(changed);
+    const std::string owner = setting_text({setting.owner, setting.property, ""});
+    if (!now_.changes.empty() && now_.changes.back().starts_with(owner)) now_.changes.pop_back();
+    now_.changes.push_back(setting_text(setting));
     ++generation_;
     begin_generation();
 }
 
 void Session::undo() {
     if (done_.empty()) return;
-    undone_.push_back(std::exchange(scene_, done_.back()));
+    undone_.push_back(std::exchange(now_, done_.back()));
     done_.pop_back();
     ++generation_;
     begin_generation();
@@ -108,19 +132,20 @@ void Session::undo() {
 
 void Session::redo() {
     if (undone_.empty()) return;
-    done_.push_back(std::exchange(scene_, undone_.back()));
+    done_.push_back(std::exchange(now_, undone_.back()));
     undone_.pop_back();
     ++generation_;
     begin_generation();
 }
 
-void Session::open(std::shared_ptr<const Scene> scene) {
+void Session::open(std::shared_ptr<const Scene> scene, std::vector<std::string> changes,
+                   std::unique_ptr<Engine> engine) {
     done_.clear();
     undone_.clear();
-    scene_ = std::move(scene);
-    paused_ = false;
+    now_ = {std::move(scene), std::move(changes)};
+    paused_ = engine != nullptr;  // what was kept is looked at before more is traced
     ++generation_;
-    begin_generation();
+    begin_generation(std::move(engine));
 }
 
 void Session::restart() {
@@ -135,18 +160,28 @@ void Session::pause() {
 
 void Session::resume() {
     paused_ = false;
-    if (!engine_) return;
-    if (engine_->progress().photons > 0)
-        engine_->resume();
-    else
-        engine_->start(rule_);
+    go_on();
+}
+
+void Session::go_on() {
+    if (!engine_ || saving()) return;
+    engine_->pause();
+    engine_->start(rule_);
 }
 
 void Session::set_target_error(std::optional<double> error) {
     rule_.target_error = error;
-    if (!engine_) return;
+    if (!paused_) go_on();
+}
+
+void Session::save(const std::string& path) {
+    if (!engine_ || saving()) return;
     engine_->pause();
-    if (!paused_) engine_->start(rule_);
+    saving_ = std::async(std::launch::async, [engine = engine_.get(), path] { engine->save(path); }).share();
+}
+
+std::optional<std::string> Session::take_saved() {
+    return std::exchange(saved_, std::nullopt);
 }
 
 }  // namespace brewster

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/settings.h"
 #include "engine/engine.h"
 #include "scene/scene.h"
 
@@ -19,7 +20,7 @@ class Session {
     Session(std::shared_ptr<const Scene> scene, const EngineSettings& settings, const StopRule& rule);
     ~Session();
 
-    const std::shared_ptr<const Scene>& scene() const { return scene_; }  ///< as changed last
+    const std::shared_ptr<const Scene>& scene() const { return now_.scene; }  ///< as changed last
     Engine* engine() const { return engine_.get(); }  ///< null while the first is made, or where no lamp gives light
     /// Grows with every change of the scene and every restart.
     std::uint64_t generation() const { return generation_; }
@@ -34,20 +35,27 @@ class Session {
     /// Looks whether a new engine or its first bins are there.
     void advance();
 
-    /// The scene with something changed. The first of a row that undo takes back as one begins a `new_step`.
-    void change(std::shared_ptr<const Scene> changed, bool new_step);
+    /// The scene with a setting changed. The first of a row that undo takes back as one begins a `new_step`.
+    void change(std::shared_ptr<const Scene> changed, const Setting& setting, bool new_step);
     bool can_undo() const { return !done_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
     void undo();
     void redo();
-    /// Another scene altogether: nothing to undo.
-    void open(std::shared_ptr<const Scene> scene);
+    /// Another scene altogether, changed so since its file was read: nothing to undo. `engine`: with what was traced of
+    /// it before; null: from the first photon.
+    void open(std::shared_ptr<const Scene> scene, std::vector<std::string> changes, std::unique_ptr<Engine> engine);
 
     void restart();  ///< from the first photon
     void pause();
     void resume();
     bool paused() const { return paused_; }
     void set_target_error(std::optional<double> error);
+
+    /// Keeps what is traced in a file, beside the window; no photon flies meanwhile.
+    void save(const std::string& path);
+    bool saving() const { return saving_.valid(); }
+    /// What came of it, once: empty, or why it failed.
+    std::optional<std::string> take_saved();
     const StopRule& rule() const { return rule_; }
 
     /// Why there is no engine, or why it ended; empty otherwise.
@@ -59,18 +67,27 @@ class Session {
         std::string trouble;
     };
 
-    void begin_generation();
+    /// A scene and how it differs from its file.
+    struct Version {
+        std::shared_ptr<const Scene> scene;
+        std::vector<std::string> changes;
+    };
+
+    void begin_generation(std::unique_ptr<Engine> engine = nullptr);
+    void go_on();
     void make();
     void retire(std::unique_ptr<Engine> engine);
 
-    std::shared_ptr<const Scene> scene_;
+    Version now_;
     EngineSettings settings_;
     StopRule rule_;
     std::unique_ptr<Engine> engine_;
     std::uint64_t generation_ = 1, making_generation_ = 0;
     std::future<Made> making_;
     std::vector<std::future<void>> retiring_;
-    std::vector<std::shared_ptr<const Scene>> done_, undone_;
+    std::vector<Version> done_, undone_;
+    std::shared_future<void> saving_;
+    std::optional<std::string> saved_;
     bool paused_ = false, ready_ = false, wanted_ = false;
     double changed_at_ = 0;
     std::optional<double> replaced_after_ms_;

@@ -7,6 +7,7 @@
 
 #include "app/canvas.h"
 #include "app/picture_names.h"
+#include "app/pictures.h"
 #include "app/priority.h"
 #include "display/gathered_light.h"
 #include "display/legend.h"
@@ -51,7 +52,7 @@ bool TakenPicture::advance() {
         if (gathered_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
         const StokesPicture rays = gathered_.get();
         if (is_exr(order_.path)) {
-            write_stokes_exr(order_.path, stokes_image(rays, order_.view.rendition.polarization));
+            write_exr(stokes_image(rays, order_.view.rendition.polarization));
             return true;
         }
         GatheredLight light;
@@ -63,10 +64,17 @@ bool TakenPicture::advance() {
     picture_->draw(1, needed);
     if (picture_->draws(needed) < draws) return false;
     if (is_exr(order_.path))
-        write_stokes_exr(order_.path, picture_->stokes(order_.view.rendition.polarization));
+        write_exr(picture_->stokes(order_.view.rendition.polarization));
     else
         write(picture_->light());
     return true;
+}
+
+void TakenPicture::write_exr(Image stokes) const {
+    const Rendition& rendition = order_.view.rendition;
+    describe_picture(stokes, {order_.scene->name, order_.view.camera.name, order_.bins->photons, rendition.polarization,
+                              order_.seed, of_rays(), rendition.exposure});
+    write_stokes_exr(order_.path, stokes);
 }
 
 void TakenPicture::write(const LightTextures& light) {

@@ -8,6 +8,7 @@
 #include "app/state.h"
 #include "bins/snapshot.h"
 #include "display/picture.h"
+#include "image/image.h"
 #include "image/stokes_picture.h"
 #include "scene/scene.h"
 
@@ -43,6 +44,7 @@ class TakenPicture {
   private:
     StokesPicture gather();
     void write(const LightTextures& light);
+    void write_exr(Image stokes) const;
 
     Order order_;
     std::unique_ptr<Picture> picture_;  ///< of bins

@@ -35,16 +35,13 @@ std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vect
     return scene;
 }
 
-std::unique_ptr<Engine> engine_for(const SolveOptions& options) {
-    if (options.resume.empty()) {
-        EngineSettings settings = options.engine;
-        for (const Setting& setting : options.settings) settings.changes.push_back(setting_text(setting));
-        return std::make_unique<Engine>(load_scene(options.scene, options.settings), settings);
-    }
+Solution saved_solution(const SolveOptions& options) {
     const SolutionReader file(options.resume);
     const SavedSettings saved = saved_settings(file);
     EngineSettings settings = saved.engine;
     settings.threads = options.engine.threads;
+    settings.lowest_priority = options.engine.lowest_priority;
+    settings.snapshot_seconds = options.engine.snapshot_seconds;
     std::shared_ptr<const Scene> scene;
     try {
         scene = load_scene(options.scene, settings_from(settings.changes, file));
@@ -56,7 +53,14 @@ std::unique_ptr<Engine> engine_for(const SolveOptions& options) {
     }
     auto engine = std::make_unique<Engine>(scene, settings);
     engine->load(file);
-    return engine;
+    return {std::move(scene), std::move(engine)};
+}
+
+std::unique_ptr<Engine> engine_for(const SolveOptions& options) {
+    if (!options.resume.empty()) return saved_solution(options).engine;
+    EngineSettings settings = options.engine;
+    for (const Setting& setting : options.settings) settings.changes.push_back(setting_text(setting));
+    return std::make_unique<Engine>(load_scene(options.scene, options.settings), settings);
 }
 
 bool trace_on(Engine& engine, const StopRule& wished) {

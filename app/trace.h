@@ -12,7 +12,16 @@ namespace brewster {
 /// of the program.
 std::shared_ptr<const Scene> load_scene(const std::string& path, const std::vector<Setting>& settings);
 
-/// The engine that the options ask for: new, or with a saved solution taken up. Reads the scene as load_scene does.
+/// An engine and the scene that it traces.
+struct Solution {
+    std::shared_ptr<const Scene> scene;
+    std::unique_ptr<Engine> engine;
+};
+
+/// The saved solution `options.resume`, taken up. Reads the scene as load_scene does, and changes it as it was changed.
+Solution saved_solution(const SolveOptions& options);
+
+/// The engine that the options ask for: new, or with a saved solution taken up.
 std::unique_ptr<Engine> engine_for(const SolveOptions& options);
 
 /// Traces until the rule holds (an empty one: default_photons) or someone presses Ctrl+C, with a progress bar where

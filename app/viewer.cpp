@@ -12,6 +12,7 @@
 #include "app/preferences.h"
 #include "app/seen_point.h"
 #include "app/trace.h"
+#include "app/view_text.h"
 #include "image/png.h"
 
 namespace brewster {
@@ -38,14 +39,38 @@ EngineSettings beside_a_window(EngineSettings settings) {
     return settings;
 }
 
+constexpr const char* moved_mark = " (moved)";
+
+/// Whether the camera of that name stands elsewhere in the scene's file.
+bool is_moved(const Camera& camera, const Scene& scene) {
+    return std::any_of(scene.cameras.begin(), scene.cameras.end(),
+                       [&](const Camera& known) { return known.name == camera.name && !same_pose(known, camera); });
+}
+
+EngineSettings with_changes(EngineSettings settings, const std::vector<Setting>& changes) {
+    for (const Setting& change : changes) settings.changes.push_back(setting_text(change));
+    return settings;
+}
+
+/// A scene, or a saved solution of the present one.
+Solution read_file(const std::string& path, const std::string& present_scene, const OpenOptions& options) {
+    if (!is_solution(path)) return {load_scene(path, options.settings), nullptr};
+    SolveOptions solve;
+    solve.scene = present_scene;
+    solve.resume = path;
+    solve.engine = beside_a_window(options.engine);
+    return saved_solution(solve);
+}
+
 }  // namespace
 
 Viewer::Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOptions& options, double started)
     : window_(window),
+      settings_(options.settings),
       overlay_(window),
-      file_(options.scene,
-            [settings = options.settings](const std::string& path) { return load_scene(path, settings); }),
-      session_(scene, beside_a_window(options.engine), options.stop),
+      file_(options.scene, [options](const std::string& path,
+                                     const std::string& present) { return read_file(path, present, options); }),
+      session_(scene, with_changes(beside_a_window(options.engine), options.settings), options.stop),
       scene_(scene),
       rays_(std::make_unique<Rays>(*scene)),
       canvas_(scene),
@@ -87,6 +112,7 @@ bool Viewer::run() {
             handle(event);
         }
         for (const std::string& path : window_.take_drops()) file_.open(path);
+        take_saved_solution();
         fly(seconds_now() - last_step_);
         last_step_ = seconds_now();
         if (window_.take_damage()) must_present_ = true;
@@ -124,7 +150,7 @@ double Viewer::patience() const {
         return 0;
     if (drawing_wanted()) return pause_;
     if (taken_) return taken_->of_rays() ? 0.05 : 0;
-    if (session_.stale() || file_.reading()) return 0.005;
+    if (session_.stale() || session_.saving() || file_.reading()) return 0.005;
     const bool tracing = session_.engine() && session_.engine()->progress().running;
     return tracing ? seconds_between_presents : seconds_between_file_looks;
 }
@@ -160,16 +186,20 @@ void Viewer::take_file() {
         last_look_at_file_ = now;
         file_.look_for_changes();
     }
-    const std::optional<SceneFile::Outcome> outcome = file_.take();
+    std::optional<SceneFile::Outcome> outcome = file_.take();
     if (!outcome) return;
     must_present_ = true;
     if (!outcome->scene) {
         shown_.complaint = outcome->complaint;
         return;
     }
-    session_.open(outcome->scene);
+    const bool saved = outcome->engine != nullptr;
+    std::vector<std::string> changes =
+        saved ? outcome->engine->settings().changes : with_changes({}, settings_).changes;
+    session_.open(outcome->scene, std::move(changes), std::move(outcome->engine));
     set_scene(outcome->scene, false);
     shown_.files = false;
+    if (saved) return notice(outcome->path + " was taken up where it was saved; Space traces on");
     const std::string path = std::filesystem::absolute(outcome->path).string();
     std::erase(preferences_.recent_files, path);
     preferences_.recent_files.insert(preferences_.recent_files.begin(), path);
@@ -193,6 +223,8 @@ void Viewer::set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces) {
         navigation_ =
             Navigation([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene->radius());
         region_.reset();
+        light_.reset();
+        surface_.reset();  // a chart of the old scene
     }
     scene_ = std::move(scene);
     glimpse_.open(scene_);
@@ -241,10 +273,11 @@ Desk Viewer::desk() {
               .preferences = preferences_,
               .shown = shown_,
               .act = [this](Action action, int argument) { act(action, argument); },
-              .change_scene = [this](std::shared_ptr<const Scene> scene,
-                                     bool new_step) { session_.change(std::move(scene), new_step); },
+              .change_scene = [this](std::shared_ptr<const Scene> scene, const Setting& setting,
+                                     bool new_step) { session_.change(std::move(scene), setting, new_step); },
               .open_file = [this](const std::string& path) { file_.open(path); },
-              .save = [this](const std::string& kind) { want_picture(kind, true); },
+              .save = [this](const std::string& kind) { take_picture(new_path(kind), true); },
+              .save_solution = [this] { save_solution(new_path(".bins")); },
               .set_target_error = [this](std::optional<double> error) { session_.set_target_error(error); },
               .copy = [this](const std::string& text) { window_.set_clipboard(text); }};
     if (session_.engine()) desk.progress = session_.engine()->progress();
@@ -350,7 +383,7 @@ void Viewer::draw() {
     const double took = seconds_now() - begin;
     pause_ = !in_motion && drawn && took > slow_frame ? 3 * took : 0;
     if (in_motion && drawn) {
-        resolution_.frame_took(took);
+        if (!keeps_resolution_) resolution_.frame_took(took);
         frame_seconds_ = took;
     }
 }
@@ -362,8 +395,7 @@ void Viewer::present() {
     Screen::window(whole.x, whole.y).bind();
     look_around_pointer();
     Caption caption{scene_->name, view_.camera.name, "", true, session_.stale() && canvas_.picture().bins()};
-    for (const Camera& camera : scene_->cameras)
-        if (camera.name == view_.camera.name && !same_pose(camera, view_.camera)) caption.camera += " (moved)";
+    if (is_moved(view_.camera, *scene_)) caption.camera += moved_mark;
     if (caption.dimmed)
         caption.status = "stale: the change is being traced";
     else if (!session_.trouble().empty())
@@ -382,11 +414,27 @@ void Viewer::present() {
     if (replay_) replay_->presented(1000 * (seconds_now() - frame_begin_), stage_);
 }
 
-void Viewer::want_picture(const std::string& kind, bool legend) {
-    for (int number = 1; number < 10000; ++number) {
-        const std::string path = scene_->name + "-" + view_.camera.name + "-" + std::to_string(number) + kind;
-        if (!std::filesystem::exists(path)) return take_picture(path, legend);
-    }
+std::string Viewer::new_path(const std::string& kind) const {
+    std::string path;
+    for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
+        path = scene_->name + "-" + view_.camera.name + "-" + std::to_string(number) + kind;
+    return path;
+}
+
+void Viewer::save_solution(const std::string& path) {
+    if (!session_.snapshot()) return notice("there is no light yet to save");
+    if (session_.saving()) return notice("still saving " + solution_path_);
+    solution_path_ = path;
+    session_.save(path);
+    notice("saving " + path);
+}
+
+void Viewer::take_saved_solution() {
+    const std::optional<std::string> saved = session_.take_saved();
+    if (!saved) return;
+    if (saved->empty()) return notice("saved " + std::filesystem::absolute(solution_path_).string());
+    shown_.complaint = *saved;
+    must_present_ = true;
 }
 
 void Viewer::take_picture(const std::string& path, bool legend) {
@@ -398,8 +446,12 @@ void Viewer::take_picture(const std::string& path, bool legend) {
     notice("saving " + path);
     // Rays at rest would only be in its way.
     gatherer_.stop();
+    // What the copied words say: a moved camera loses its last bits on the way through text.
+    Sight view = view_;
+    view.camera = camera_of(*scene_, parse_view(words()));
+    if (is_moved(view_.camera, *scene_)) view.camera.name += moved_mark;
     taken_ =
-        std::make_unique<TakenPicture>(TakenPicture::Order{path, scene_, bins, view_, size.x, size.y, seed, legend});
+        std::make_unique<TakenPicture>(TakenPicture::Order{path, scene_, bins, view, size.x, size.y, seed, legend});
 }
 
 void Viewer::advance_taken_picture() {

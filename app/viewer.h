@@ -57,10 +57,12 @@ class Viewer {
     void gather_at_rest();
     void draw();
     void present();
-    /// A picture of what is seen, of that kind (".png", ".exr"), under a new name.
-    void want_picture(const std::string& kind, bool legend);
+    /// A path that does not exist yet, for what is seen or traced; `kind`: its ending.
+    std::string new_path(const std::string& kind) const;
     void take_picture(const std::string& path, bool legend);
     void advance_taken_picture();
+    void save_solution(const std::string& path);
+    void take_saved_solution();
     void set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces);
     void wait();
     double patience() const;
@@ -76,6 +78,7 @@ class Viewer {
     void record(const InputEvent& event);
 
     Window& window_;
+    const std::vector<Setting> settings_;  ///< of --set, for every file
     Overlay overlay_;
     SceneFile file_;
     Session session_;
@@ -100,6 +103,7 @@ class Viewer {
     bool dragging_region_ = false, comparing_ = false, exposure_settled_ = false, quit_ = false;
     std::string held_fly_keys_;
     std::unique_ptr<TakenPicture> taken_;  ///< on its way into a file
+    std::string solution_path_;            ///< the same of a solution
 
     double started_;
     std::unique_ptr<Replay> replay_;
@@ -110,6 +114,7 @@ class Viewer {
 
     std::uint64_t shown_generation_ = 0;  ///< whose materials are shown
     std::uint64_t bins_generation_ = 0;   ///< whose light
+    bool keeps_resolution_ = false;       ///< of moving pictures, for measuring
     bool must_present_ = true, improved_ = false, hidden_ = false;
     int draws_to_present_ = 1;
     int widget_frames_ = 2;  ///< frames that widgets still want, to answer what was done

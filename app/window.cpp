@@ -215,6 +215,14 @@ void Window::toggle_full_screen() {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+void Window::resize(glm::ivec2 size) {
+    glfwSetWindowSize(window_, size.x, size.y);
+}
+
+void Window::minimise(bool minimised) {
+    minimised ? glfwIconifyWindow(window_) : glfwRestoreWindow(window_);
+}
+
 std::string Window::clipboard() const {
     const char* text = glfwGetClipboardString(window_);
     return text ? text : "";

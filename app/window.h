@@ -36,6 +36,8 @@ class Window {
 
     void set_title(const std::string& title);
     void toggle_full_screen();
+    void resize(glm::ivec2 size);  ///< in screen coordinates
+    void minimise(bool minimised);
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 

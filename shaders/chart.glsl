@@ -15,6 +15,7 @@ uniform uvec2 shown_world;
 uniform bool unpolarized;      // the world that is shown is the one without polarization
 uniform int gloss_components;  // of the bins' Stokes vectors
 uniform vec3 eye;
+uniform bool flat_light;  // for measuring what looking into the bins costs: they say 1 everywhere
 
 in vec2 chart_coordinates;
 flat in uint chart_index;
@@ -44,12 +45,16 @@ SeenBins seen_bins(float alpha) {
     uint v = fixed_point_of(chart_coordinates.y);
     uvec2 roots = TEXEL(chart_roots, 2u * chart_index).xy;
     SeenBins seen;
-    seen.direct = look_up(roots.x, shown_world.x, u, v);
-    seen.indirect = look_up(roots.y, shown_world.y, u, v);
+    if (flat_light) {
+        seen.direct = seen.indirect = BinValue(vec3(1.0), vec3(0.0), 0u);
+    } else {
+        seen.direct = look_up(roots.x, shown_world.x, u, v);
+        seen.indirect = look_up(roots.y, shown_world.y, u, v);
+    }
     seen.outwards = normalize(eye - seen_point);
     seen.normal = normalize(seen_normal);
     uint gloss_root = TEXEL(chart_roots, 2u * chart_index + 1u).x;
-    seen.has_gloss = gloss_root != 0xffffffffu && dot(seen.outwards, seen.normal) > 0.0;
+    seen.has_gloss = !flat_light && gloss_root != 0xffffffffu && dot(seen.outwards, seen.normal) > 0.0;
     if (seen.has_gloss) {
         vec3 axis_u = TEXEL(chart_materials, chart_texels * chart_index + 5u).xyz;
         vec3 axis_v = TEXEL(chart_materials, chart_texels * chart_index + 6u).xyz;

@@ -31,9 +31,11 @@ struct Desk {
 
     // To ask for.
     std::function<void(Action, int argument)> act;
-    std::function<void(std::shared_ptr<const Scene>, bool new_step)> change_scene;
+    /// The scene as it is with that setting; the first of a row that undo takes back as one begins a new step.
+    std::function<void(std::shared_ptr<const Scene>, const Setting&, bool new_step)> change_scene;
     std::function<void(const std::string& path)> open_file;
     std::function<void(const std::string& path)> save;  ///< .png, .exr
+    std::function<void()> save_solution;
     std::function<void(std::optional<double>)> set_target_error;
     std::function<void(const std::string&)> copy;  ///< to the clipboard
 };

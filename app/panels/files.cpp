@@ -5,19 +5,21 @@
 #include <filesystem>
 
 #include "app/panels/desk.h"
+#include "app/scene_file.h"
 
 namespace brewster {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const fs::path& path) {
-    return path.extension() == ".gltf" || path.extension() == ".glb";
+/// A scene, or a saved solution.
+bool can_be_opened(const fs::path& path) {
+    return path.extension() == ".gltf" || path.extension() == ".glb" || is_solution(path.string());
 }
 
-/// Folders, then scenes, each in alphabetical order; what cannot be read is left out.
+/// Folders, then files, each in alphabetical order; what cannot be read is left out.
 struct Listing {
-    std::vector<std::string> folders, scenes;
+    std::vector<std::string> folders, files;
     explicit Listing(const fs::path& folder) {
         std::error_code fault;
         for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
@@ -26,11 +28,11 @@ struct Listing {
             std::error_code unknown;
             if (at->is_directory(unknown))
                 folders.push_back(name);
-            else if (is_scene(at->path()))
-                scenes.push_back(name);
+            else if (can_be_opened(at->path()))
+                files.push_back(name);
         }
         std::sort(folders.begin(), folders.end());
-        std::sort(scenes.begin(), scenes.end());
+        std::sort(files.begin(), files.end());
     }
 };
 
@@ -59,9 +61,9 @@ void folder_list(Desk& desk) {
     if (ImGui::Selectable("..")) desk.preferences.folder = folder.parent_path().string();
     for (const std::string& name : listing.folders)
         if (ImGui::Selectable((name + "/").c_str())) desk.preferences.folder = (folder / name).string();
-    for (const std::string& name : listing.scenes)
+    for (const std::string& name : listing.files)
         if (ImGui::Selectable(name.c_str())) desk.open_file((folder / name).string());
-    if (listing.folders.empty() && listing.scenes.empty()) ImGui::TextDisabled("no folder, no .gltf, no .glb");
+    if (listing.folders.empty() && listing.files.empty()) ImGui::TextDisabled("no folder, no .gltf, no .glb, no .bins");
     ImGui::EndChild();
 }
 
@@ -75,7 +77,7 @@ void files_window(Desk& desk) {
     ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
     if (ImGui::Begin("open a scene", &desk.shown.files,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-        ImGui::TextDisabled("glTF or GLB; dropping a file on the window opens it, too");
+        ImGui::TextDisabled("glTF, GLB, or .bins (a saved solution of this scene); dropping works, too");
         const std::vector<std::string> recent = desk.preferences.recent_files;
         if (!recent.empty() && ImGui::BeginCombo("##recent", "recent files")) {
             for (const std::string& path : recent)

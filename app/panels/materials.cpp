@@ -128,8 +128,10 @@ void property_rows(Desk& desk, const Owner& owner, std::span<const Property<Owne
     if (!wish.property) return;
     auto changed = std::make_shared<Scene>(desk.scene);
     try {
-        set(*changed, *wish.property, wish.value);
-        desk.change_scene(std::move(changed), step);
+        // By way of text, so that a saved solution and --set give the same scene to the last bit.
+        const Setting setting{owner.name, std::string(wish.property->name), property_text(wish.value)};
+        set(*changed, *wish.property, parse_property(wish.property->type, setting.value, owner.name));
+        desk.change_scene(std::move(changed), setting, step);
         step = false;
     } catch (const Error& error) {
         desk.shown.notice = error.what();

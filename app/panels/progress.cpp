@@ -37,6 +37,9 @@ void progress_panel(Desk& desk) {
     if (ImGui::Button(desk.session.paused() ? "go on (Space)" : "pause (Space)")) desk.act(Action::pause, 0);
     ImGui::SameLine();
     if (ImGui::Button("restart (Ctrl+R)")) desk.act(Action::restart, 0);
+    if (ImGui::Button(desk.session.saving() ? "saving ..." : "save solution")) desk.save_solution();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("keeps the photons in a .bins file; open (O) and brewster shot --from take it up again");
     target_choice(desk);
     if (!desk.session.trouble().empty()) ImGui::TextWrapped("%s", desk.session.trouble().c_str());
     for (const std::string& warning : desk.scene.warnings) ImGui::TextDisabled("%s", warning.c_str());

@@ -187,6 +187,7 @@ void Picture::draw_charts(const Program& program, Part part, int index) const {
     if (part != cells) {  // which have neither world nor light
         program.set("gloss_components", upload_.drawn()->gloss.components);
         program.set("shown_world", upload_.world_offsets(part == unpolarized ? 1 : 0));
+        program.set("flat_light", flat_ ? 1 : 0);
         program.set("unpolarized", part == unpolarized ? 1 : 0);
         passages_.bind(program, "passages", BinUpload::units + 1);
     }
@@ -231,6 +232,11 @@ Image Picture::stokes(bool polarization) const {
     const Layer* drawn = drawn_layer(polarization ? polarized : unpolarized);
     BREWSTER_CHECK(drawn != nullptr, "draw first");
     return drawn->stokes();
+}
+
+void Picture::make_flat(bool flat) {
+    flat_ = flat;
+    forget();
 }
 
 void Picture::finish() const {

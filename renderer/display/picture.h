@@ -61,6 +61,9 @@ class Picture {
     /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the
     /// next all over the pixels; 64, or a multiple, see edges best.
     void draw(int count = 1, const Rendition& rendition = {});
+    /// For measuring what looking into the bins costs: they say the same everywhere from now on, or what they hold.
+    void make_flat(bool flat);
+
     /// Of all that the rendition looks at.
     int draws(const Rendition& rendition = {}) const;
     void finish() const;  ///< returns when all is drawn, for measuring
@@ -103,6 +106,7 @@ class Picture {
     std::array<std::optional<Layer>, 3> layers_;  // made when first drawn
     Camera camera_;
     int width_ = 0, height_ = 0;
+    bool flat_ = false;
 };
 
 }  // namespace brewster

@@ -15,10 +15,11 @@ class SessionTest : public testing::Test {
   protected:
     SessionTest() { settings_.threads = 1; }
 
-    std::shared_ptr<const Scene> changed(const Session& session, const char* text) {
+    static void change(Session& session, const char* text, bool new_step) {
         auto scene = std::make_shared<Scene>(*session.scene());
-        apply_settings(*scene, {*parse_setting(text)});
-        return scene;
+        const Setting setting = *parse_setting(text);
+        apply_settings(*scene, {setting});
+        session.change(std::move(scene), setting, new_step);
     }
     static void wait_for_light(Session& session) {
         for (int i = 0; i < 6000 && session.stale(); ++i) {
@@ -42,7 +43,7 @@ TEST_F(SessionTest, ChangesStartNewGenerationsAndUndoTakesThemBack) {
     ASSERT_NE(before, nullptr);
     const std::uint64_t generation = session.generation();
 
-    session.change(changed(session, "red.n=1.5"), true);
+    change(session, "red.n=1.5", true);
     EXPECT_GT(session.generation(), generation);
     EXPECT_TRUE(session.stale());
     EXPECT_EQ(session.snapshot(), nullptr);
@@ -61,9 +62,9 @@ TEST_F(SessionTest, ChangesStartNewGenerationsAndUndoTakesThemBack) {
 
 TEST_F(SessionTest, ADragIsOneStepAndOnlyItsLastSceneIsTraced) {
     Session session(room_, settings_, rule_);
-    session.change(changed(session, "red.albedo=0.1"), true);
-    session.change(changed(session, "red.albedo=0.2"), false);
-    session.change(changed(session, "red.albedo=0.3"), false);
+    change(session, "red.albedo=0.1", true);
+    change(session, "red.albedo=0.2", false);
+    change(session, "red.albedo=0.3", false);
     wait_for_light(session);
     EXPECT_EQ(&session.engine()->scene(), session.scene().get());
     session.undo();
@@ -72,7 +73,7 @@ TEST_F(SessionTest, ADragIsOneStepAndOnlyItsLastSceneIsTraced) {
 
 TEST_F(SessionTest, DarkScenesSaySoAndCanBeLitAgain) {
     Session session(room_, settings_, rule_);
-    session.change(changed(session, "lamp.emission=0"), true);
+    change(session, "lamp.emission=0", true);
     wait_for_light(session);
     EXPECT_EQ(session.engine(), nullptr);
     EXPECT_NE(session.trouble().find("no lamp gives light"), std::string::npos);
@@ -93,6 +94,45 @@ TEST_F(SessionTest, PausesAndGoesOn) {
     for (int i = 0; i < 2000 && session.engine()->progress().photons == photons; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     EXPECT_GT(session.engine()->progress().photons, photons);
+}
+
+TEST_F(SessionTest, KeepsItsSolutionWithAllChangesAndTakesItUpAgain) {
+    Session session(room_, settings_, rule_);
+    change(session, "red.n=1.5", true);
+    change(session, "red.roughness=0.4", true);
+    change(session, "red.roughness=0.5", false);
+    change(session, "lamp.emission=9", true);
+    session.undo();
+    wait_for_light(session);
+    const std::string path = testing::TempDir() + "session.bins";
+    session.save(path);
+    std::optional<std::string> saved;
+    for (int i = 0; i < 2000 && !(saved = session.take_saved()); ++i) {
+        session.advance();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_EQ(saved, "");
+
+    SolveOptions options;
+    options.resume = path;
+    options.engine.threads = 1;
+    Solution solution = saved_solution(options);
+    const std::vector<std::string> changes = solution.engine->settings().changes;
+    EXPECT_EQ(changes, (std::vector<std::string>{"red.n=1.5", "red.roughness=0.5"}));
+    EXPECT_GT(solution.engine->progress().photons, 0u);
+
+    const Engine* engine = solution.engine.get();
+    session.open(solution.scene, changes, std::move(solution.engine));
+    wait_for_light(session);
+    EXPECT_EQ(session.engine(), engine);
+    EXPECT_TRUE(session.paused());
+    EXPECT_FALSE(session.can_undo());
+    session.save(testing::TempDir() + "no such folder/session.bins");
+    for (int i = 0; i < 2000 && !(saved = session.take_saved()); ++i) {
+        session.advance();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_NE(saved.value_or(""), "");
 }
 
 }  // namespace
