@@ -8,6 +8,7 @@
 
 #include "app/analyzer_text.h"
 #include "app/suggestion.h"
+#include "app/variant.h"
 #include "app/view_text.h"
 #include "base/error.h"
 
@@ -128,10 +129,24 @@ void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, c
     })->type_name("GIB");
 }
 
+void add_variant(CLI::App& verb, EngineSettings& engine) {
+    std::string list;
+    for (const std::string& name : variant_names()) list += (list.empty() ? "" : ", ") + name;
+    verb.add_option_function<std::string>(
+            "--variant",
+            [&engine](const std::string& name) {
+                if (!take_variant(name, engine))
+                    refuse("--variant", name, "a variant" + did_you_mean(name, variant_names()));
+            },
+            "Habits of the 1997 method in place of the engine's own, for measurements: " + list)
+        ->type_name("NAME");
+}
+
 void add_solve_options(CLI::App& verb, SolveOptions& options) {
     add_scene(verb, options.scene);
     add_settings(verb, options.settings);
     add_trace_options(verb, options.stop, options.engine, "1e7");
+    add_variant(verb, options.engine);
     add_json(verb, options.json);
 }
 
@@ -263,7 +278,7 @@ void add_shot_options(CLI::App& verb, ShotOptions& options) {
     add_views(verb, options);  // first: what is read later outweighs it
     add_solve_options(verb, options.solve);
     add_saved(verb, "--from", options.solve.resume, "Draw a solution that was kept by solve --save; its settings hold",
-              {"--set", "--seed", "--memory", "--kernel", "--photons", "--seconds", "--target-error"});
+              {"--set", "--seed", "--memory", "--kernel", "--variant", "--photons", "--seconds", "--target-error"});
     verb.add_option("--camera", options.cameras, "A camera of the scene, or all (default all); may be repeated")
         ->type_name("NAME")
         ->allow_extra_args(false);
@@ -442,10 +457,11 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App* solve_verb = program.add_subcommand("solve", "Trace photons and report what they found");
     add_solve_options(*solve_verb, solve);
     solve_verb->add_option("--save", solve.save, "Keep the solution in a file, to go on from or to draw")
-        ->type_name("FILE.bins");
+        ->type_name("FILE.bins")
+        ->excludes(solve_verb->get_option("--variant"));
     add_saved(*solve_verb, "--resume", solve.resume,
               "Go on from a kept solution, with so many photons or seconds more; its settings hold",
-              {"--set", "--seed", "--memory", "--kernel"});
+              {"--set", "--seed", "--memory", "--kernel", "--variant"});
     solve_verb->footer(
         "The first stop that is reached ends the run; Ctrl+C ends it with the photons there are.\n"
         "Example: brewster solve assets/scenes/cornell-box.gltf --target-error 0.02 --threads 2");

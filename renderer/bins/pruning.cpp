@@ -1,5 +1,7 @@
 #include "bins/pruning.h"
 
+#include "bins/half_difference.h"
+
 namespace brewster {
 
 template <int D>
@@ -57,6 +59,10 @@ std::vector<FieldSums<D>> Pruning<D>::sums_of(int field) const {
 template <int D>
 void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fields) {
     keep_.assign(tree_.node_count(), settings_.fixed_grid_log2 >= 0);
+    const int freedom = settings_.constant_cells ? 1 : D + 1;
+    const auto energy_of = [&](const LinearFit<D>& fit, double weight, const std::array<double, D>& moments) {
+        return settings_.constant_cells ? weight * weight / fit.measure() : fit.energy(weight, moments);
+    };
     unresolved_.assign(tree_.node_count(), {});
     // Bands count by their relative error, so that a dim band is not drowned by a bright one.
     importance_.resize(tree_.chart_count());
@@ -77,6 +83,10 @@ void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fie
         const LinearFit<D> fits[2] = {LinearFit<D>(tree_.cell(low)), LinearFit<D>(tree_.cell(high))};
         double detail = 0, noise = 0;
         bool any = false;
+        if (settings_.half_differences) {
+            keep_[node] = halves_are_known((*fields[0])[low], (*fields[0])[high]);
+            continue;
+        }
         for (const std::vector<FieldSums<D>>* field : fields) {
             FieldSums<D> later;  // what came since the split, seen by the parent
             for (const std::uint32_t child : {low, high})
@@ -86,15 +96,15 @@ void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fie
             for (std::size_t b = 0; b < band_count; ++b) {
                 // Per photon since the split, so that all noise weighs alike and young splits count by what they saw.
                 const double band = importance_[cell.chart][b] / time;
-                double energy = -parent.energy(later.weight[b], later.moments[b]);
+                double energy = -energy_of(parent, later.weight[b], later.moments[b]);
                 double variance = -later.squares[b] / parent.measure();
                 for (const std::uint32_t side : {0u, 1u}) {
                     const FieldSums<D>& child = (*field)[low + side];
-                    energy += fits[side].energy(child.weight[b], child.moments[b]);
+                    energy += energy_of(fits[side], child.weight[b], child.moments[b]);
                     variance += child.squares[b] / fits[side].measure();
                 }
                 detail += band * energy;
-                noise += band * (D + 1) * variance;
+                noise += band * freedom * variance;
             }
         }
         if (!any) continue;

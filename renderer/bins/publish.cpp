@@ -91,7 +91,8 @@ PublishedLeaf Publisher::fit_leaf(std::uint32_t node, const glm::dvec3& weight) 
         for (double& s : slope) s = sums.weight[b] > 0 ? s / sums.weight[b] : 0;
         // On a full cell the fit must not fall below zero in a corner.
         const double steepest = std::abs(slope[0]) + std::abs(slope[1]);
-        const double limit = cell.geometry.full && steepest > 1 ? 1 / steepest : 1;
+        double limit = cell.geometry.full && steepest > 1 ? 1 / steepest : 1;
+        if (settings_.constant_cells) limit = 0;
         for (std::size_t a = 0; a < 2; ++a) leaf.slopes[a][band] = leaf.density[band] * slope[a] * limit;
         if (sums.weight[b] > 0) {
             leaf.standard_error[band] = leaf.density[band] * std::sqrt(ratio * sums.squares[b]) / sums.weight[b];

@@ -30,6 +30,7 @@ class GlossPublisher {
         : tree_(tree),
           fields_(fields),
           pruning_(tree, pending, photons, settings),
+          settings_(settings),
           flux_per_weight_(flux_per_weight),
           field_count_(static_cast<std::size_t>(fields.layout().fields)) {
         for (int field = 0; field < fields.layout().fields; ++field) sums_.push_back(pruning_.sums_of(field));
@@ -107,6 +108,7 @@ class GlossPublisher {
                 Linear linear = fitted(fit, sums_[field][node], b, denominator > 0 ? density / denominator : 0);
                 const double bound = is_intensity ? linear.mean : intensity[b].mean;
                 limit(linear, bound, is_intensity);
+                if (settings_.constant_cells) linear.slopes = {};
                 if (field == 0) intensity[b] = linear;
                 const double error = denominator > 0
                                          ? density * std::sqrt(ratio * sums_[field][node].squares[b]) / denominator
@@ -157,6 +159,7 @@ class GlossPublisher {
     const BinTree<4>& tree_;
     const GlossFields fields_;
     Pruning<4> pruning_;
+    const BinSettings& settings_;
     const glm::dvec3 flux_per_weight_;
     const std::size_t field_count_;
     std::vector<Sums> sums_;  // per field, per node

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "bins/half_difference.h"
 #include "bins/split_test.h"
 
 namespace brewster {
@@ -80,6 +81,10 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout
         for (std::uint32_t chart = 0; chart < charts; ++chart) {
             split_evenly(chart, 2 * settings.fixed_grid_log2, glm::dvec2(1));
         }
+        fill_directory();
+        return;
+    }
+    if (settings.half_differences) {
         fill_directory();
         return;
     }
@@ -278,7 +283,9 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
     };
     std::vector<Candidate> candidates;
     for (const std::uint32_t index : node_of_leaf_) {
-        const auto choice = choose_split<D>(layout_, sums(index), null_moments<D>(cells_[index].geometry), settings);
+        const NullMoments<D> null = null_moments<D>(cells_[index].geometry);
+        const auto choice = settings.half_differences ? choose_half<D>(sums(index), null)
+                                                      : choose_split<D>(layout_, sums(index), null, settings);
         if (!choice) continue;
         Candidate candidate{choice->z_squared * choice->power, index, choice->axis, 0};
         if (split_position(index, candidate.axis, candidate.position)) candidates.push_back(candidate);

@@ -13,11 +13,15 @@ inline constexpr std::uint64_t most_blocks_taken = 8;  ///< by a worker at a tim
 /// batches, so the sequence is part of what a solution is.
 class BatchSequence {
   public:
+    BatchSequence() = default;
+    /// Of its own first batch and growth, one part in so many.
+    BatchSequence(std::uint64_t first_blocks, std::uint64_t part) : blocks_(first_blocks), part_(part) {}
+
     std::uint64_t begin() const { return begin_; }
     std::uint64_t end() const { return begin_ + blocks_ * photons_per_block; }
     void next() {
         begin_ = end();
-        blocks_ = std::min(blocks_ + (blocks_ + 3) / 4, most_blocks);
+        blocks_ = std::min(blocks_ + (blocks_ + part_ - 1) / part_, most_blocks);
     }
 
     /// The batch that begins there; none does at most places.
@@ -30,7 +34,7 @@ class BatchSequence {
   private:
     static constexpr std::uint64_t most_blocks = 4096;
     std::uint64_t begin_ = 0;
-    std::uint64_t blocks_ = 8;
+    std::uint64_t blocks_ = 8, part_ = 4;
 };
 
 }  // namespace brewster

@@ -16,6 +16,8 @@
 namespace brewster {
 namespace {
 
+constexpr std::uint64_t one_part_in_50 = 50;  // batches of a tree that asks its halves as often as it can
+
 // On Linux a priority belongs to a thread.
 void yield_to_everybody() {
     setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 19);
@@ -24,6 +26,7 @@ void yield_to_everybody() {
 KernelChoice chosen_kernel(const Scene& scene, const std::vector<PreparedMaterial>& materials, const Needs& needs,
                            const EngineSettings& settings) {
     const bool gloss = gloss_charts_of(scene, materials).count() > 0;
+    if (settings.thesis.any()) return {needs.stokes == 1 ? 1 : 4, 3, gloss};  // make_thesis_tracer knows these
     if (!settings.kernel) return {needs.stokes, needs.bands, gloss};
     if (settings.kernel->bands == 1 && needs.bands == 3)
         throw Error("one band cannot carry its colours", scene.name, "choose a kernel of three bands");
@@ -81,6 +84,7 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
                     "add an emissive material or a light of KHR_lights_punctual to the file");
     }
     const unsigned count = settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+    if (settings.bins.half_differences) batch = BatchSequence(1, one_part_in_50);
     sums.fit(bins, emission.guide());
     count_leaves();
     handed_over.assign(count, 0);
@@ -113,7 +117,8 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 
 void Engine::Impl::work(unsigned index) {
     if (settings.lowest_priority) yield_to_everybody();
-    const std::unique_ptr<PhotonTracer> tracer = make_tracer(kernel, settings.window);
+    const std::unique_ptr<PhotonTracer> tracer =
+        settings.thesis.any() ? make_thesis_tracer(kernel, settings.thesis) : make_tracer(kernel, settings.window);
     std::unique_lock lock(mutex);
     WorkerSums own(bins);  // a saved solution may replace the trees before the first block
     while (!quit) {

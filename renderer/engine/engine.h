@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "transport/kernel.h"
 #include "transport/ledger.h"
+#include "transport/thesis/thesis_tracer.h"
 
 namespace brewster {
 
@@ -25,6 +26,7 @@ struct EngineSettings {
     std::vector<std::string> changes;     ///< of the scene since its file was read; only kept with saved solutions
     bool guided_emission = true;          ///< lamps learn where their photons are useful
     std::optional<KernelChoice> kernel;   ///< none: the smallest that is exact for the scene
+    ThesisRules thesis;                   ///< habits of the 1997 method, to compare with; never saved
 };
 
 /// When to stop; the first that holds. All empty: never.

@@ -91,20 +91,19 @@ GlossFrame<Real> gloss_frame(const Meeting<Real>& at, const Vector<Real>& direct
             transported_axis(at.chart_normal, at.axis_v, at.shading_normal)};
 }
 
-/// Light sent the way of `sample`, one of `deposits`. `coarse`: of charts whose cells take mirrors, too.
+/// Light sent the way of `sample`, which stands for a `share` of all ways. `coarse`: of charts whose cells take mirrors,
+/// too.
 template <class Real, int components, int bands>
 GlossLight<Real, components, bands> gloss_light(const Meeting<Real>& at, const GlossFrame<Real>& frame,
                                                 const PhotonLight<Real, components, bands>& light,
-                                                const Sample<Real, bands>& sample, bool coarse,
-                                                std::uint32_t deposits) {
+                                                const Sample<Real, bands>& sample, bool coarse, float share) {
     GlossLight<Real, components, bands> gloss;
     gloss.filed = frame.ratio > 0 && sample.alive && dot(sample.direction, at.normal) > 0;
     if (!coarse) gloss.filed = gloss.filed && !sample.sharp;
     PhotonLight<Real, components, bands> sent = light;
     scatter_by(sample, sent);
     const Vector<Real> axis = transported_axis(at.shading_normal, frame.tangent_u, sample.direction);
-    const Real share = frame.ratio * Real(1.0f / static_cast<float>(deposits));
-    gloss.weights = sent.gloss_fields(rotation_between(sample.direction, sample.axis, axis), share);
+    gloss.weights = sent.gloss_fields(rotation_between(sample.direction, sample.axis, axis), frame.ratio * Real(share));
     const auto square = direction_map::direction_square_of(dot(sample.direction, frame.tangent_u),
                                                            dot(sample.direction, frame.tangent_v));
     gloss.square = {fixed_coordinate(square.x), fixed_coordinate(square.y)};

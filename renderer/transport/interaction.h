@@ -65,13 +65,11 @@ void tint_base(const TransportContext& context, const Meeting<Real>& at, const M
     books.take(&Ledger::absorbed, base, untinted, light);
 }
 
-/// Scatters the light. It ends where it is absorbed, or sent to the wrong side of the facet.
+/// Scatters the light the way that was drawn. It ends where it is absorbed, or sent to the wrong side of the facet.
 template <class Real, int components, int bands>
-void scatter(const TransportContext& context, const Meeting<Real>& at, const Event<Real, bands>& event,
+void scatter(const TransportContext& context, const Meeting<Real>& at, const Sample<Real, bands>& sample,
              Flight<Real, components, bands>& flight, Books<Real>& books, TransportCounts& counts) {
     using Light = PhotonLight<Real, components, bands>;
-    const Sample<Real, bands> sample = scattered<Real, bands>(
-        *at.material, surface_point(at, flight.direction, flight.light), event.numbers.scatter, event.gloss);
     const Light before = flight.light;
     Light& light = flight.light;
     scatter_by(sample, light);
@@ -101,11 +99,11 @@ void scatter(const TransportContext& context, const Meeting<Real>& at, const Eve
     flight.direction = sample.direction;
 }
 
-/// Ends weak light, or raises what survives, so that nothing is lost on average.
+/// Ends light below `share` of what it was at emission, or raises what survives, so that nothing is lost on average.
 template <class Real, int components, int bands>
-void roulette(const Real& number, Flight<Real, components, bands>& flight, Books<Real>& books) {
+void roulette(const Real& number, double share, Flight<Real, components, bands>& flight, Books<Real>& books) {
     const Real left = flight.light.largest();
-    const MaskOf<Real> weak = flight.alive && left < constant<Real>(roulette_share) * flight.reference;
+    const MaskOf<Real> weak = flight.alive && left < constant<Real>(share) * flight.reference;
     if (!any_of(weak)) return;
     const Real survival = left / flight.reference;
     const MaskOf<Real> saved = weak && number < survival;
@@ -148,16 +146,30 @@ Sample<Real, bands> lobe_sample(const TransportContext& context, const Meeting<R
                                lobe_numbers<Real>(context, flight.key, k));
 }
 
-/// From the arrival to the way on.
+/// The way on that is drawn among all lobes.
 template <class Real, int components, int bands>
-void go_on(const TransportContext& context, const Meeting<Real>& at, const Event<Real, bands>& event,
-           Flight<Real, components, bands>& flight, Books<Real>& books, TransportCounts& counts) {
-    scatter(context, at, event, flight, books, counts);
-    roulette(event.numbers.roulette, flight, books);
+Sample<Real, bands> way_on(const Meeting<Real>& at, const Flight<Real, components, bands>& flight,
+                           const Event<Real, bands>& event) {
+    return scattered<Real, bands>(*at.material, surface_point(at, flight.direction, flight.light),
+                                  event.numbers.scatter, event.gloss);
+}
+
+/// The end of an event: nothing goes on for ever, and nothing that goes on is direct.
+template <class Real, int components, int bands>
+void grow_older(Flight<Real, components, bands>& flight, Books<Real>& books) {
     const MaskOf<Real> tired = flight.alive && equal(flight.key.bounce, Word<Real>(std::uint32_t{bounce_limit - 1}));
     books.take(&Ledger::cut, tired, flight.light);
     flight.alive = flight.alive && !tired;
     flight.direct = flight.direct && !flight.direct;
+}
+
+/// From the arrival to the way on.
+template <class Real, int components, int bands>
+void go_on(const TransportContext& context, const Meeting<Real>& at, const Event<Real, bands>& event,
+           Flight<Real, components, bands>& flight, Books<Real>& books, TransportCounts& counts) {
+    scatter(context, at, way_on(at, flight, event), flight, books, counts);
+    roulette(event.numbers.roulette, roulette_share, flight, books);
+    grow_older(flight, books);
 }
 
 }  // namespace brewster::transport

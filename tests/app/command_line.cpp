@@ -43,6 +43,18 @@ TEST(CommandLine, StopsAreTaken) {
               0.01);
 }
 
+TEST(CommandLine, VariantsChangeWhatTheyName) {
+    const auto all = std::get<SolveOptions>(parse({"solve", "box.gltf", "--variant", "thesis-all"})).engine;
+    EXPECT_TRUE(all.bins.constant_cells && all.bins.half_differences && all.thesis.sampler && all.thesis.analog);
+    EXPECT_FALSE(all.bins.join_corners);
+    const auto one = std::get<ShotOptions>(parse({"shot", "box.gltf", "--variant", "thesis-splits"})).solve.engine;
+    EXPECT_TRUE(one.bins.half_differences && one.bins.join_corners);
+    EXPECT_FALSE(one.bins.constant_cells || one.thesis.any());
+    EXPECT_NE(end_of({"solve", "box.gltf", "--variant", "thesis-cell"}).text.find("did you mean 'thesis-cells'"),
+              std::string::npos);
+    EXPECT_EQ(end_of({"solve", "box.gltf", "--variant", "thesis-all", "--save", "a.bins"}).exit_code, 2);
+}
+
 TEST(CommandLine, ShotTakesItsOptions) {
     const auto options = std::get<ShotOptions>(
         parse({"shot", "--camera", "front", "box.gltf", "--camera", "low", "--size", "320x200", "--exposure", "-2.5",

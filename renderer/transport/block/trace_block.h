@@ -207,9 +207,10 @@ class BlockTracer : public PhotonTracer {
         for (std::size_t lane = 0; lane < lane_count; ++lane)
             places[lane] = {gloss_fields, 0, 0, photons[lane] % replica_count};
         const std::uint32_t deposits = deposits_of(*at.material, coarse);
+        const float share = 1.0f / static_cast<float>(deposits);
         for (std::uint32_t k = 0; k < deposits; ++k) {
             const auto sent =
-                gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, deposits);
+                gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, share);
             const LaneMask filed = present && sent.filed;
             if (!any_of(filed)) continue;
             const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};

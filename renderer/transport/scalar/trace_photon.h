@@ -55,9 +55,10 @@ void deposit_gloss(const TransportContext& context, const Meeting<float>& at,
     const bool coarse = context.bins.gloss_charts.coarse[chart];
     const GlossFrame<float> frame = gloss_frame(at, flight.direction);
     const std::uint32_t deposits = deposits_of(*at.material, coarse);
+    const float share = 1.0f / static_cast<float>(deposits);
     for (std::uint32_t k = 0; k < deposits; ++k) {
         const GlossLight<float, components, bands> gloss =
-            gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, deposits);
+            gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, share);
         if (!gloss.filed) continue;
         const BinTree<4>::Point place = {at.u, at.v, gloss.square[0], gloss.square[1]};
         file_event<4>(context.bins.gloss, tally, context.bins.gloss.locate(chart, place), place,
@@ -85,8 +86,10 @@ bool deposit_arrival(const TransportContext& context, const Hit& hit, const Meet
     return filed;
 }
 
-template <int components, int bands, bool gloss>
-void trace_photon(const TransportContext& context, std::uint64_t photon, Books<float>& books, WorkerSums& sums) {
+/// `meet(hit, at, flight)` files what arrives and sends it on; true where something was filed.
+template <int components, int bands, bool gloss, class Meet>
+void trace_photon(const TransportContext& context, std::uint64_t photon, Books<float>& books, WorkerSums& sums,
+                  const Meet& meet) {
     const EmittedPhoton<float> emitted = context.emission.sample(photon);
     Ray ray = first_ray(emitted);
     Flight<float, components, bands> flight;
@@ -127,9 +130,7 @@ void trace_photon(const TransportContext& context, std::uint64_t photon, Books<f
         const Meeting<float> at = meeting_of(context, hit);
         cut_turned_away(at, flight, books);
         if (!flight.alive) break;
-        const Event<float, bands> event = event_at(context, at, flight);
-        useful = deposit_arrival<components, bands, gloss>(context, hit, at, flight, event, photon, sums) || useful;
-        go_on(context, at, event, flight, books, sums.counts);
+        useful = meet(hit, at, flight) || useful;
         ray.origin = hit.position;
         ray.direction = glm_vector(flight.direction);
         ray.leaving = hit.triangle;
@@ -145,7 +146,14 @@ class ScalarTracer : public PhotonTracer {
     void trace(const TransportContext& context, std::uint64_t begin, std::uint64_t end, WorkerSums& sums) override {
         for (std::uint64_t photon = begin; photon < end; ++photon) {
             Books<float> books;
-            trace_photon<components, bands, gloss>(context, photon, books, sums);
+            const auto meet = [&](const Hit& hit, const Meeting<float>& at, Flight<float, components, bands>& flight) {
+                const Event<float, bands> event = event_at(context, at, flight);
+                const bool filed =
+                    deposit_arrival<components, bands, gloss>(context, hit, at, flight, event, photon, sums);
+                go_on(context, at, event, flight, books, sums.counts);
+                return filed;
+            };
+            trace_photon<components, bands, gloss>(context, photon, books, sums, meet);
             books.close(sums.ledger);
         }
     }
