@@ -98,7 +98,7 @@ std::string complaint(const json& wanted, const json& state) {
 
 struct Replay::Impl {
     json steps, report = {{"events", json::array()}, {"measures", json::object()}, {"failures", json::array()}};
-    std::string report_path;
+    std::string path, report_path;
     double least_seconds = 0;
     std::size_t next = 0;
     double begin = seconds_now(), step_begin = 0;
@@ -137,9 +137,14 @@ Replay::Replay(const std::string& script, std::string report) : impl_(std::make_
         const json script_text = json::parse(stream);
         impl_->steps = script_text.at("steps");
         impl_->least_seconds = script_text.value("seconds", 0.0);
+        if (!impl_->steps.is_array()) throw Error("its steps are no list", script, "see the comment of Replay");
+        for (const json& step : impl_->steps)
+            if (!step.is_object())
+                throw Error("it holds " + step.dump() + " for a step", script, "see the comment of Replay");
     } catch (const json::exception& error) {
         throw Error(std::string("it is no script: ") + error.what(), script, "see the comment of Replay");
     }
+    impl_->path = script;
     impl_->report_path = std::move(report);
 }
 
@@ -149,8 +154,9 @@ double Replay::patience() const {
     constexpr double next_look = 0.01;
     if (!impl_->begun || impl_->next >= impl_->steps.size()) return 0;
     const json& step = impl_->steps[impl_->next];
-    const double length = step.contains("wait")      ? step["wait"].get<double>()
-                          : step.contains("measure") ? step.value("seconds", 1.0)
+    const auto number = [](const json& value) { return value.is_number() ? value.get<double>() : 0.0; };
+    const double length = step.contains("wait")      ? number(step["wait"])
+                          : step.contains("measure") ? number(step.value("seconds", json(1.0)))
                                                      : 0.0;
     return length > 0 ? std::max(0.0, impl_->step_begin + length - seconds_now()) : next_look;
 }
@@ -169,7 +175,7 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
     using Kind = InputEvent::Kind;
     const json state = stage.state();
     const glm::vec2 picture(state["picture"][0], state["picture"][1]);
-    const auto place = [](const json& at, std::size_t i = 0) { return glm::vec2(at[i], at[i + 1]); };
+    const auto place = [](const json& at, std::size_t i = 0) { return glm::vec2(at.at(i), at.at(i + 1)); };
     const auto button_event = [&](Kind kind) {
         InputEvent event;
         event.kind = kind;
@@ -210,14 +216,14 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
         return ++moved > 2 * gap;
     }
     if (step.contains("wheel")) {
-        pointer = place(step["at"]);
+        pointer = place(step.at("at"));
         InputEvent event = button_event(Kind::wheel);
         event.notches = step["wheel"];
         event.alt = step.value("alt", false);
         return script(stage, event, picture), true;
     }
     if (step.contains("drag")) {
-        const int count = step.value("frames", 20);
+        const int count = std::max(step.value("frames", 20), 1);
         const std::uint64_t seen = frames;
         if (moved > 0 && moved <= count && seen == frames_before) return elapsed > 30;  // one frame a motion
         frames_before = seen;
@@ -243,7 +249,7 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
         event.control = from.value("control", false);
         event.alt = from.value("alt", false);
         event.notches = from.value("notches", 0.0f);
-        pointer = place(from["at"]);
+        pointer = place(from.at("at"));
         return script(stage, event, picture), true;
     }
     if (step.contains("set")) {
@@ -284,7 +290,7 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
         if (elapsed < step.value("seconds", 1.0)) return false;
         return end_measure(step["measure"], state), true;
     }
-    throw Error("it holds an unknown step " + step.dump(), "script", "see the comment of Replay");
+    throw Error("it holds an unknown step " + step.dump(), path, "see the comment of Replay");
 }
 
 void Replay::Impl::start_measure(const json& state) {
@@ -316,7 +322,12 @@ bool Replay::advance(Stage& stage) {
             play.moved = 0;
         }
         const json& step = play.steps[play.next];
-        if (!play.do_step(stage, step)) return true;
+        try {
+            if (!play.do_step(stage, step)) return true;
+        } catch (const json::exception& error) {
+            throw Error("its step " + std::to_string(play.next + 1) + " cannot be played: " + error.what(), play.path,
+                        "see the comment of Replay");
+        }
         play.begun = false;
         ++play.next;
         // Whatever was done is to be handled before the next step looks.

@@ -102,12 +102,7 @@ struct Validator {
         if (accessor.count == 0) wrong(path + ".count", "is 0");
         if (accessor.components == 0) return;
         check_sparse(accessor, path);
-        if (accessor.buffer_view == -1) {
-            constexpr std::size_t most_zeros = std::size_t{1} << 20;  // no bytes vouch for their number
-            if (accessor.count > most_zeros)
-                wrong(path + ".count", "is " + std::to_string(accessor.count) + " without a bufferView, too large");
-            return;
-        }
+        if (accessor.buffer_view == -1) return;
         check_index(accessor.buffer_view, file.buffer_views, path + ".bufferView", "bufferViews");
         const GltfBufferView& view = file.buffer_views[static_cast<std::size_t>(accessor.buffer_view)];
         const std::size_t element = element_bytes(accessor);
@@ -159,6 +154,18 @@ struct Validator {
         return file.accessors[static_cast<std::size_t>(index)];
     }
 
+    // Of an accessor that is read: without bytes of its own, those of the whole file vouch for its length, or a small file
+    // would take a long time.
+    void check_zeros(int index) const {
+        const GltfAccessor& accessor = file.accessors[static_cast<std::size_t>(index)];
+        if (accessor.buffer_view != -1) return;
+        std::size_t most_zeros = std::size_t{1} << 16;
+        for (const auto& buffer : file.buffers) most_zeros = std::max(most_zeros, buffer.size());
+        if (accessor.count > most_zeros)
+            wrong(item("accessors", static_cast<std::size_t>(index)) + ".count",
+                  "is " + std::to_string(accessor.count) + " without a bufferView, too large");
+    }
+
     void check_primitive(const GltfPrimitive& primitive, const std::string& path) const {
         check_optional_index(primitive.material, file.materials, path + ".material", "materials");
         if (primitive.mode < 0 || primitive.mode > gltf_triangle_fan)
@@ -186,6 +193,7 @@ struct Validator {
         if (indices.components != 1 ||
             (type != gltf_unsigned_byte && type != gltf_unsigned_short && type != gltf_unsigned_int))
             wrong(path + ".indices", "is not a SCALAR of unsigned integers");
+        check_zeros(primitive.indices);
         const auto [known, is_new] = largest_index.try_emplace(primitive.indices, 0);
         if (is_new) {
             count_elements(indices.count);
@@ -224,6 +232,7 @@ struct Validator {
         } else {
             return;  // not read
         }
+        check_zeros(index);
         if (accessor.count != vertices)
             wrong(path, "holds " + std::to_string(accessor.count) + " elements for " + std::to_string(vertices) +
                             " vertices");

@@ -1,8 +1,10 @@
 // fuzz_seeds FOLDER: writes one file for each thing that the targets should start from, by the writers of the tests.
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
+#include "app/preferences.h"
 #include "engine/engine.h"
 #include "scene/mutations.h"
 
@@ -44,6 +46,23 @@ int main(int argc, char** argv) {
         mutation.change(file);
         write(scenes, mutation.name, file.dump());
     }
+    const fs::path views = fs::path(argv[1]) / "view", replays = fs::path(argv[1]) / "replay";
+    write(views, "named",
+          "camera=front size=640x480 ev=-1.5 map=dolp palette=red-green analyzer=30 samples=1e3 seed=7");
+    write(views, "posed", "eye=1,2,3 target=0,-.5,1e-3 up=0,1,0 fov=40 polarization=off gather=on analyzer=right");
+    for (const auto& script : fs::directory_iterator(BREWSTER_SOURCE_DIR "/tests/window"))
+        if (script.path().extension() == ".json")
+            write(replays, script.path().filename().string(),
+                  (std::stringstream() << std::ifstream(script.path()).rdbuf()).str());
+    write(replays, "every step", R"({"steps": [{"key": "Shift+,"}, {"hold": "C"}, {"let_go": "C"}, {"move": [0, 1]},
+        {"click": [0.5, 0.5], "button": "right"}, {"wheel": 1, "at": [0, 0], "alt": true}, {"type": "0.3"},
+        {"drag": [0, 0, 1, 1], "frames": 3, "measure": "drag", "shift": true}, {"set": "a.b=c"}, {"open": "a.gltf"},
+        {"capture": "a.png"}, {"save": "a.exr"}, {"event": {"kind": 1, "at": [0, 0], "key": "A"}, "after": 0},
+        {"expect": {"photons": {">": 1e6}, "bins": {"not": 0}}}, {"until": {"stale": false}, "seconds": 0},
+        {"measure": "all", "seconds": 0}, {"wait": 0}], "seconds": 0})");
+    Preferences preferences;
+    preferences.recent_files = {"a.gltf", "b.glb"};
+    write_preferences((fs::path(argv[1]) / "preferences").string(), preferences);
     for (const char* text :
          {"grey.albedo=0.2,0.4,0.6", "gold.medium=silver", "plastic.roughness=0.3", "plastic.ior=1.7",
           "wave.rmsHeight=0.2", "wave.correlationLength=3", "sheet.angle=45", "plate.retardance=180",
