@@ -145,6 +145,8 @@ Json band_object(const BandDifference& band) {
                    {"bias", band.bias},
                    {"bias_standard_error", nullptr}};
     if (band.bias_standard_error) object["bias_standard_error"] = *band.bias_standard_error;
+    object["within_standard_errors"] = nullptr;
+    if (band.within) object["within_standard_errors"] = {{"1", (*band.within)[0]}, {"2", (*band.within)[1]}};
     Json percentiles = Json::object();
     for (std::size_t k = 0; k < difference_percentiles.size(); ++k)
         percentiles[std::to_string(difference_percentiles[k])] = band.percentiles[k];

@@ -67,6 +67,7 @@ BandDifference difference(const Channels& channels, double floor, const std::vec
     std::vector<double> relative;
     relative.reserve(region.size());
     double squares = 0, relative_squares = 0, bias = 0, variance = 0;
+    std::array<double, 2> within{};
     for (const std::size_t i : region) {
         const double a = channels.a[i], b = channels.b[i];
         const double noise = channels.variance_b ? static_cast<double>((*channels.variance_b)[i]) : 0.0;
@@ -75,7 +76,10 @@ BandDifference difference(const Channels& channels, double floor, const std::vec
         relative.push_back(scale > 0 ? std::abs(a - b) / std::sqrt(scale) : 0.0);
         if (scale > 0) relative_squares += ((a - b) * (a - b) - noise) / scale;
         bias += a - b;
-        variance += noise + (channels.variance_a ? static_cast<double>((*channels.variance_a)[i]) : 0.0);
+        const double both = noise + (channels.variance_a ? static_cast<double>((*channels.variance_a)[i]) : 0.0);
+        variance += both;
+        for (const int errors : {1, 2})
+            if ((a - b) * (a - b) <= errors * errors * both) within[static_cast<std::size_t>(errors - 1)] += 1 / n;
     }
     BandDifference result;
     result.mean_a = mean(channels.a, region);
@@ -85,7 +89,10 @@ BandDifference difference(const Channels& channels, double floor, const std::vec
     result.relative_rmse = std::sqrt(std::max(0.0, relative_squares / n));
     result.bias = bias / n;
     result.percentiles = percentiles_of(std::move(relative));
-    if (channels.variance_a || channels.variance_b) result.bias_standard_error = std::sqrt(variance) / n;
+    if (channels.variance_a || channels.variance_b) {
+        result.bias_standard_error = std::sqrt(variance) / n;
+        result.within = within;
+    }
     return result;
 }
 

@@ -76,6 +76,14 @@ TEST(Compare, BiasErrorComesFromTheVariancesOfBoth) {
     EXPECT_NEAR(*red(compare(a, b)).bias_standard_error, std::sqrt(4 * 0.04) / 4, 1e-8);
 }
 
+TEST(Compare, CountsPixelsWithinTheErrorsOfBoth) {
+    Image a = radiance({1, 1, 1, 1}), b = radiance({1, 1.15f, 1.3f, 1.5f});
+    EXPECT_FALSE(red(compare(a, b)).within);
+    a.add_channel(variance_channel(0, 0)).assign(4, 0.03f);
+    b.add_channel(variance_channel(0, 0)).assign(4, 0.01f);
+    EXPECT_EQ(red(compare(a, b)).within, (std::array{0.5, 0.75}));
+}
+
 TEST(Compare, RadianceMayStandInPlainChannels) {
     Image plain(2, 1);
     for (const char* name : {"R", "G", "B"}) plain.add_channel(name) = {1, 3};
