@@ -61,7 +61,7 @@ TEST(Index, NoCornerMakesLight) {
     };
     for (const float m : {0.001f, 0.01f, 0.1f, 0.8f})
         for (const Material& material :
-             {metal(1e-3f, 1e-6f), metal(1, 100), metal(100, 100), metal(0.05f, 4),
+             {metal(1e-3f, 1e-6f), metal(1.5f, 0), metal(0.2f, 0), metal(1, 100), metal(100, 100), metal(0.05f, 4),
               dielectric(Base::polarized_diffuse, glm::vec3(1.01f)), dielectric(Base::polarized_diffuse, glm::vec3(10)),
               dielectric(Base::polarized_diffuse, glm::vec3(100))})
             corners.push_back(beckmann(material, m));
