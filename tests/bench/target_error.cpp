@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "engine/bin_error.h"
+#include "bin_error.h"
 #include "engine/engine.h"
 
 namespace {
