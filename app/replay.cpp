@@ -261,7 +261,7 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
     }
     if (step.contains("type")) return stage.type(step["type"]), true;
     if (step.contains("open")) return stage.open(step["open"]), true;
-    if (step.contains("resize")) return stage.resize(step["resize"][0], step["resize"][1]), true;
+    if (step.contains("resize")) return stage.resize(step["resize"].at(0), step["resize"].at(1)), true;
     if (step.contains("minimise")) return stage.minimise(step["minimise"]), true;
     if (step.contains("flat")) return stage.make_flat(step["flat"]), true;
     if (step.contains("capture")) return stage.capture(step["capture"]), true;

@@ -21,11 +21,13 @@ brewster::Stage idle_stage() {
     const auto nothing = [](const std::string&) {};
     brewster::Stage stage;
     stage.input = [](const brewster::InputEvent&) {};
-    stage.type = stage.set = stage.open = stage.save = stage.capture = nothing;
+    stage.type = stage.set = stage.open = stage.save = stage.save_solution = stage.capture = nothing;
+    stage.resize = [](int, int) {};
+    stage.minimise = stage.make_flat = [](bool) {};
     stage.quit = [] {};
     stage.state = [] {
-        return nlohmann::json{{"picture", {640, 480}}, {"saving", false}, {"photons", 1000},    {"bins", true},
-                              {"generation", 1},       {"stale", false},  {"milliseconds", 1.0}};
+        return nlohmann::json{{"picture", {640, 480}}, {"saving", false}, {"photons", 1000},     {"bins", true},
+                              {"generation", 1},       {"stale", false},  {"milliseconds", 1.0}, {"words", ""}};
     };
     return stage;
 }
