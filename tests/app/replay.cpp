@@ -39,8 +39,9 @@ TEST(Replay, PlaysWhatIsAStepAndRefusesAllElse) {
     EXPECT_EQ(end_of(R"({"steps": [{"drag": [0, 0, 1, 1], "frames": -3}]})"), "played");
     for (const char* script :
          {"", "[]", R"({"steps": 3})", R"({"steps": {"a": {"wait": 1}}})", R"({"steps": [7]})",
-          R"({"steps": [{"move": [0.5]}]})", R"({"steps": [{"wheel": 1}]})", R"({"steps": [{"wait": "long"}]})",
-          R"({"steps": [{"event": {"kind": 1}}]})", R"({"steps": [{"move": [0, 1], "wait": "x"}, {"dance": 1}]})"}) {
+          R"({"steps": [{"move": [0.5]}]})", R"({"steps": [{"resize": [640]}]})", R"({"steps": [{"wheel": 1}]})",
+          R"({"steps": [{"wait": "long"}]})", R"({"steps": [{"event": {"kind": 1}}]})",
+          R"({"steps": [{"move": [0, 1], "wait": "x"}, {"dance": 1}]})"}) {
         const std::string end = end_of(script);
         EXPECT_NE(end.find("brewster-replay-test.json: "), std::string::npos) << script << " ends in: " << end;
         EXPECT_EQ(end.find('\n'), std::string::npos) << end;
