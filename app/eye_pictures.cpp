@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "app/clock.h"
 #include "app/interrupt.h"
@@ -10,6 +9,7 @@
 #include "app/pictures.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/threads.h"
 
 namespace brewster {
 namespace {
@@ -28,8 +28,7 @@ EyePictures::EyePictures(const Scene& scene, const ShotOptions& options)
     : options_(options),
       scene_(std::make_shared<EyeScene>(scene)),
       gather_(scene_, options.solve.engine.seed),
-      threads_(options.solve.engine.threads > 0 ? options.solve.engine.threads
-                                                : std::max(std::thread::hardware_concurrency(), 1u)) {}
+      threads_(thread_count(options.solve.engine.threads)) {}
 
 void EyePictures::show(std::shared_ptr<const Snapshot> bins, const DrawRule& rule, std::size_t cameras) {
     gather_.show(std::move(bins));

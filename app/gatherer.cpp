@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/priority.h"
 #include "app/window.h"
+#include "base/priority.h"
+#include "base/threads.h"
 #include "gather/gather.h"
 
 namespace brewster {
@@ -18,15 +19,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t first_draws_of_smooth = 16, first_draws_of_sharp = 4;
 constexpr int shares_of_leisure = 5;  // one for the eye, four for the photons
 
-bool has_what_bins_cannot_show(const Scene& scene) {
+bool has_gloss_or_glass(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
         return material.base == Base::transparent || material.interface.present();
     });
-}
-
-bool same_picture(const Camera& a, int width, int height, const Camera& b, int other_width, int other_height) {
-    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
-           a.vertical_field_of_view == b.vertical_field_of_view && width == other_width && height == other_height;
 }
 
 }  // namespace
@@ -55,8 +51,8 @@ Gatherer::~Gatherer() {
 
 void Gatherer::want(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Snapshot>& bins,
                     const Camera& camera, int width, int height) {
-    const bool same = presented_ && presented_->scene == scene &&
-                      same_picture(camera, width, height, presented_->camera, presented_->width, presented_->height) &&
+    const bool same = presented_ && presented_->scene == scene && same_pose(presented_->camera, camera) &&
+                      presented_->width == width && presented_->height == height &&
                       presented_->bins->photons <= bins->photons;
     presented_ = Wish{scene, bins, camera, width, height};
     const std::lock_guard lock(mutex_);
@@ -114,7 +110,9 @@ void Gatherer::gather(const Wish& wish) {
     Gather& gather = eye_->gather;
     gather.show(wish.bins);
     gather.look(wish.camera, wish.width, wish.height);
-    const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    const unsigned threads = thread_count();
+    // A picture of newer bins has to become as complete as the one that is shown.
+    const double least = has_gloss_or_glass(*wish.scene) ? first_draws_of_sharp : first_draws_of_smooth;
     std::shared_ptr<const Snapshot> bins = wish.bins;
     std::uint64_t photons = bins->photons;
     double shown = 0;
@@ -125,8 +123,6 @@ void Gatherer::gather(const Wish& wish) {
             const std::uint32_t draws = std::max(1u, 2 * static_cast<std::uint32_t>(std::lround(before)));
             at_leisure_ = draws > full_draws;
             if (!gather.draw(draws, threads, [this] { return asked_to_stop(); })) return;
-            // A picture of newer bins has to become as complete as the one that is shown.
-            const double least = has_what_bins_cannot_show(*wish.scene) ? first_draws_of_sharp : first_draws_of_smooth;
             if (gather.draws() >= std::max(least, 0.9 * std::min<double>(shown, full_draws))) {
                 shown = gather.draws();
                 auto light = std::make_shared<const StokesPicture>(gather.picture());

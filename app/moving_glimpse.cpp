@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include "app/clock.h"
-#include "app/state.h"
+#include "base/threads.h"
 
 namespace brewster {
 namespace {
@@ -48,8 +47,7 @@ void MovingGlimpse::show(Picture& picture, const Camera& camera, std::uint64_t g
     const double shrinking = std::clamp(std::sqrt(pixels * seconds_a_pixel_ / seconds_a_frame), 1.0, largest_shrinking);
     const auto side = [&](int whole) { return std::max(1, static_cast<int>(std::lround(whole / shrinking))); };
     const double begin = seconds_now();
-    const GlimpsePicture seen =
-        glimpse_->see(*bins, camera, side(width), side(height), std::max(1u, std::thread::hardware_concurrency()));
+    const GlimpsePicture seen = glimpse_->see(*bins, camera, side(width), side(height), thread_count());
     picture.show_glimpse(seen.width, seen.height, seen.chart, seen.light);
     // Of all pixels: how many need a ray's light is a matter of the view, which changes little by little.
     seconds_a_pixel_ = std::max(1e-9, (seconds_now() - begin) / static_cast<double>(seen.chart.size()));

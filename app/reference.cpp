@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
 #include "app/interrupt.h"
 #include "app/numbers.h"
@@ -13,6 +12,7 @@
 #include "app/verbs.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/threads.h"
 #include "image/exr.h"
 
 namespace brewster {
@@ -59,7 +59,7 @@ void make_reference(const ReferenceOptions& options) {
     if (!is_exr(options.out)) throw Error("it is no EXR picture", options.out, "give --out a name that ends in .exr");
     if (scene->lamps.empty()) throw Error("it has no lamp", scene->name, "add a lamp or a material that emits");
     prepare_folders({{camera.name, Map::radiance, options.out}});
-    const unsigned threads = options.threads > 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1u);
+    const unsigned threads = thread_count(options.threads);
     const PictureSize size = size_for(camera, options.size);
 
     Reference reference(*scene, camera, size.width, size.height, options.polarized, options.seed, threads);

@@ -41,7 +41,6 @@ void Session::begin_generation(std::unique_ptr<Engine> engine) {
 
 void Session::make() {
     wanted_ = false;
-    making_generation_ = generation_;
     settings_.changes = now_.changes;
     making_ = std::async(std::launch::async, [scene = now_.scene, settings = settings_] {
         Made made;
@@ -123,17 +122,17 @@ void Session::change(std::shared_ptr<const Scene> changed, const Setting& settin
 }
 
 void Session::undo() {
-    if (done_.empty()) return;
-    undone_.push_back(std::exchange(now_, done_.back()));
-    done_.pop_back();
-    ++generation_;
-    begin_generation();
+    take_step(done_, undone_);
 }
 
 void Session::redo() {
-    if (undone_.empty()) return;
-    done_.push_back(std::exchange(now_, undone_.back()));
-    undone_.pop_back();
+    take_step(undone_, done_);
+}
+
+void Session::take_step(std::vector<Version>& from, std::vector<Version>& to) {
+    if (from.empty()) return;
+    to.push_back(std::exchange(now_, from.back()));
+    from.pop_back();
     ++generation_;
     begin_generation();
 }

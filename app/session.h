@@ -74,6 +74,7 @@ class Session {
     };
 
     void begin_generation(std::unique_ptr<Engine> engine = nullptr);
+    void take_step(std::vector<Version>& from, std::vector<Version>& to);
     void go_on();
     void make();
     void retire(std::unique_ptr<Engine> engine);
@@ -82,7 +83,7 @@ class Session {
     EngineSettings settings_;
     StopRule rule_;
     std::unique_ptr<Engine> engine_;
-    std::uint64_t generation_ = 1, making_generation_ = 0;
+    std::uint64_t generation_ = 1;
     std::future<Made> making_;
     std::vector<std::future<void>> retiring_;
     std::vector<Version> done_, undone_;

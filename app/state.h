@@ -19,6 +19,9 @@ struct Sight {
     bool split = false;         ///< polarization on to the left, off to the right
     float split_at = 0.5f;      ///< share of the picture's width
     double analyzer_angle = 0;  ///< degrees; kept while the analyzer is off
+
+    /// Rays can show it: cells are not gathered.
+    bool of_rays() const { return gather && rendition.map != Map::bins; }
 };
 
 /// An axis's angle in degrees, in (-90, 90].
@@ -27,11 +30,6 @@ inline double in_half_turn(double angle) {
     return rest > 90 ? rest - 180 : rest <= -90 ? rest + 180 : rest;
 }
 
-/// The same picture, whatever the camera is called.
-inline bool same_pose(const Camera& a, const Camera& b) {
-    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
-           a.vertical_field_of_view == b.vertical_field_of_view;
-}
 inline bool operator==(const Sight& a, const Sight& b) {
     return same_pose(a.camera, b.camera) && a.camera.name == b.camera.name && a.rendition == b.rendition &&
            a.gather == b.gather && a.split == b.split && a.split_at == b.split_at &&

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 #include <utility>
 
 #include "app/canvas.h"
 #include "app/picture_names.h"
 #include "app/pictures.h"
-#include "app/priority.h"
+#include "base/priority.h"
+#include "base/threads.h"
 #include "display/gathered_light.h"
 #include "display/legend.h"
 #include "gather/gather.h"
@@ -32,18 +32,12 @@ TakenPicture::~TakenPicture() {
     stop_ = true;
 }
 
-// Cells are not gathered.
-bool TakenPicture::of_rays() const {
-    return order_.view.gather && order_.view.rendition.map != Map::bins;
-}
-
 StokesPicture TakenPicture::gather() {
     lower_priority(Priority::before_photons);
     Gather eye(std::make_shared<EyeScene>(*order_.scene), order_.seed);
     eye.show(order_.bins);
     eye.look(order_.view.camera, order_.width, order_.height);
-    const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-    eye.draw(draws, threads, [this] { return stop_.load(std::memory_order_relaxed); });
+    eye.draw(draws, thread_count(), [this] { return stop_.load(std::memory_order_relaxed); });
     return eye.picture();
 }
 

@@ -39,7 +39,7 @@ class TakenPicture {
     /// Does a little more, or looks whether the rays are done; needs the window's context. True once the file is
     /// written. Throws Error when it cannot be.
     bool advance();
-    bool of_rays() const;  ///< made by threads of its own
+    bool of_rays() const { return order_.view.of_rays(); }  ///< made by threads of its own
 
   private:
     StokesPicture gather();

@@ -161,12 +161,8 @@ bool Viewer::moving() const {
 
 bool Viewer::drawing_wanted() const {
     const Picture& picture = canvas_.picture();
-    const int wanted = !picture.bins() ? 1 : gathering() ? draws_before_change : Picture::full_draws;
+    const int wanted = !picture.bins() ? 1 : view_.of_rays() ? draws_before_change : Picture::full_draws;
     return picture.draws(Canvas::needed(view_, comparing_)) < wanted;
-}
-
-bool Viewer::gathering() const {
-    return view_.gather && view_.rendition.map != Map::bins;
 }
 
 glm::ivec2 Viewer::picture_size() const {
@@ -336,7 +332,7 @@ void Viewer::look_around_pointer() {
 void Viewer::gather_at_rest() {
     const glm::ivec2 size = picture_size();
     const bool fits = canvas_.gathered() && canvas_.gathered()->width == size.x && canvas_.gathered()->height == size.y;
-    if (canvas_.gathered() && (!fits || !gathering())) {
+    if (canvas_.gathered() && (!fits || !view_.of_rays())) {
         canvas_.show_bins();
         must_present_ = true;
     }
@@ -345,7 +341,7 @@ void Viewer::gather_at_rest() {
     const bool ripe = seconds_now() - bins_since_ >= gather_bins_after ||
                       (session_.engine() && !session_.engine()->progress().running);
     const auto bins = session_.snapshot();
-    if (!gathering() || !still || !ripe || taken_ || !bins || bins_generation_ != session_.generation())
+    if (!view_.of_rays() || !still || !ripe || taken_ || !bins || bins_generation_ != session_.generation())
         return gatherer_.stop();
     gatherer_.want(scene_, bins, view_.camera, size.x, size.y);
     if (std::optional<GatheredPicture> gathered = gatherer_.take()) {
@@ -362,7 +358,7 @@ void Viewer::draw() {
     const int shrink = in_motion && resolution_.half() ? 2 : 1;
     Picture& picture = canvas_.picture();
     picture.look(view_.camera, (size.x + shrink - 1) / shrink, (size.y + shrink - 1) / shrink);
-    if (!gathering() || !picture.bins())
+    if (!view_.of_rays() || !picture.bins())
         glimpse_.clear(picture);
     else if (!canvas_.gathered())
         glimpse_.show(picture, view_.camera, bins_generation_);

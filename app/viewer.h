@@ -68,7 +68,6 @@ class Viewer {
     double patience() const;
     bool moving() const;
     bool drawing_wanted() const;
-    bool gathering() const;
     glm::ivec2 picture_size() const;
     Desk desk();
     std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const;

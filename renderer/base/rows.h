@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/fixed_point.h"
 #include "base/word_lanes.h"
@@ -29,7 +30,17 @@ template <class RowOfLane>
     return columns;
 }
 
-/// The same backwards; rows are written in the order of their lanes, so that a later one may overwrite an earlier.
+/// Row `index` of a table, for one lane and for all.
+inline std::array<float, row_size> row_at(const std::vector<Row>& rows, std::uint32_t index) {
+    return rows[index].x;
+}
+inline Columns row_at(const std::vector<Row>& rows, WordLanes index) {
+    std::array<std::uint32_t, lane_count> indices;
+    store(index, indices.data());
+    return load_columns([&](int lane) { return rows[indices[static_cast<std::size_t>(lane)]].x.data(); });
+}
+
+/// load_columns backwards; rows are written in the order of their lanes, so that a later one may overwrite an earlier.
 template <class RowOfLane>
 [[gnu::always_inline]] inline void store_columns(const Columns& columns, const RowOfLane& row) {
     __m256 r[8];

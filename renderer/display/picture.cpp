@@ -40,12 +40,6 @@ glm::vec2 jitter(int index) {
     return {x - std::floor(x) - 0.5f, y - std::floor(y) - 0.5f};
 }
 
-/// Every camera member but its name.
-bool same_view(const Camera& a, const Camera& b) {
-    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
-           a.vertical_field_of_view == b.vertical_field_of_view && a.near_distance == b.near_distance;
-}
-
 }  // namespace
 
 Picture::Picture(const Scene& scene, std::size_t largest_buffer_texture)
@@ -105,7 +99,7 @@ bool Picture::upload(std::size_t bytes) {
 }
 
 void Picture::look(const Camera& camera, int width, int height) {
-    if (!same_view(camera, camera_)) forget();
+    if (!same_pose(camera, camera_) || camera.near_distance != camera_.near_distance) forget();
     camera_ = camera;
     width_ = width;
     height_ = height;

@@ -1,6 +1,3 @@
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 #include "engine/engine_impl.h"
 
 #include <algorithm>
@@ -8,6 +5,8 @@
 #include "base/check.h"
 #include "base/digest.h"
 #include "base/error.h"
+#include "base/priority.h"
+#include "base/threads.h"
 #include "bins/publish.h"
 #include "bins/publish_gloss.h"
 #include "bins/tree.h"
@@ -17,11 +16,6 @@ namespace brewster {
 namespace {
 
 constexpr std::uint64_t one_part_in_50 = 50;  // batches of a tree that asks its halves as often as it can
-
-// On Linux a priority belongs to a thread.
-void yield_to_everybody() {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), 19);
-}
 
 KernelChoice chosen_kernel(const Scene& scene, const std::vector<PreparedMaterial>& materials, const Needs& needs,
                            const EngineSettings& settings) {
@@ -83,7 +77,7 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
         throw Error("no lamp gives light", scene->name,
                     "add an emissive material or a light of KHR_lights_punctual to the file");
     }
-    const unsigned count = settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned count = thread_count(settings.threads);
     if (settings.bins.half_differences) batch = BatchSequence(1, one_part_in_50);
     sums.fit(bins, emission.guide());
     count_leaves();
@@ -116,7 +110,7 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 }
 
 void Engine::Impl::work(unsigned index) {
-    if (settings.lowest_priority) yield_to_everybody();
+    if (settings.lowest_priority) lower_priority(Priority::lowest);
     const std::unique_ptr<PhotonTracer> tracer =
         settings.thesis.any() ? make_thesis_tracer(kernel, settings.thesis) : make_tracer(kernel, settings.window);
     std::unique_lock lock(mutex);
@@ -213,7 +207,7 @@ void Engine::Impl::open_batch() {
 }
 
 void Engine::Impl::conduct() {
-    if (settings.lowest_priority) yield_to_everybody();
+    if (settings.lowest_priority) lower_priority(Priority::lowest);
     std::unique_lock lock(mutex);
     auto last_publication = Clock::now();
     while (!quit) {

@@ -26,28 +26,6 @@ Vector<float> single_vector(const Vector<double>& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// ray_direction (scene/camera.h) for many points of one picture.
-class PictureRays {
-  public:
-    PictureRays(const Camera& camera, int width, int height)
-        : forward_(camera.forward),
-          right_(camera.right()),
-          up_(camera.up),
-          width_(width),
-          height_(height),
-          half_(std::tan(0.5 * static_cast<double>(camera.vertical_field_of_view))) {}
-
-    glm::vec3 direction(float x, float y) const {
-        const double right = (2 * static_cast<double>(x) / width_ - 1) * half_ * (width_ / height_);
-        const double up = (1 - 2 * static_cast<double>(y) / height_) * half_;
-        return glm::vec3(glm::normalize(forward_ + right * right_ + up * up_));
-    }
-
-  private:
-    glm::dvec3 forward_, right_, up_;
-    double width_, height_, half_;
-};
-
 }  // namespace
 
 void LevelLight::clear(std::size_t size) {

@@ -1,20 +1,14 @@
 #include "gather/gather.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "base/check.h"
+#include "base/threads.h"
 
 namespace brewster {
 namespace {
 
 constexpr int tile_side = 16;  // pixels
-
-bool same_view(const Camera& a, const Camera& b) {
-    return a.position == b.position && a.forward == b.forward && a.up == b.up &&
-           a.vertical_field_of_view == b.vertical_field_of_view;
-}
 
 }  // namespace
 
@@ -30,7 +24,7 @@ void Gather::show(std::shared_ptr<const Snapshot> bins) {
 void Gather::look(const Camera& camera, int width, int height) {
     BREWSTER_CHECK(width > 0 && height > 0 && width < (1 << 16) && height < (1 << 16),
                    std::to_string(width) + " x " + std::to_string(height));
-    const bool same = width == width_ && height == height_ && same_view(camera, camera_);
+    const bool same = width == width_ && height == height_ && same_pose(camera, camera_);
     camera_ = camera;
     width_ = width;
     height_ = height;
@@ -57,16 +51,9 @@ bool Gather::draw(std::uint32_t mean_draws, unsigned threads, const StopAsked& s
 bool Gather::draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads, const StopAsked& stop) {
     const int columns = (width_ + tile_side - 1) / tile_side, rows = (height_ + tile_side - 1) / tile_side;
     while (tracers_.size() < threads) tracers_.push_back(std::make_unique<EyeTracer>());
-    std::atomic<int> next = 0;
-    const auto work = [&](unsigned thread) {
-        for (int tile = next++; tile < columns * rows && !stop(); tile = next++)
-            draw_tile(*tracers_[thread], tile, wanted, stop);
-    };
-    {
-        std::vector<std::jthread> helpers;
-        for (unsigned thread = 1; thread < threads; ++thread) helpers.emplace_back(work, thread);
-        work(0);
-    }
+    on_threads(columns * rows, threads, [&](int tile, unsigned thread) {
+        if (!stop()) draw_tile(*tracers_[thread], tile, wanted, stop);
+    });
     return !stop();
 }
 

@@ -1,10 +1,9 @@
 #include "gather/glimpse.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "base/check.h"
+#include "base/threads.h"
 #include "gather/first_look.h"
 
 namespace brewster {
@@ -24,33 +23,26 @@ GlimpsePicture Glimpse::see(const Snapshot& bins, const Camera& camera, int widt
     picture.chart.assign(pixels, no_chart);
     for (auto& plane : picture.light) plane.assign(pixels, glm::vec3(0.0f));
     while (tracers_.size() < threads) tracers_.push_back(std::make_unique<EyeTracer>());
-    std::atomic<int> next = 0;
-    const auto work = [&](unsigned thread) {
-        for (int row = next++; row < height; row = next++) see_rows(*tracers_[thread], bins, camera, row, picture);
-    };
-    {
-        std::vector<std::jthread> helpers;
-        for (unsigned thread = 1; thread < threads; ++thread) helpers.emplace_back(work, thread);
-        work(0);
-    }
+    on_threads(height, threads,
+               [&](int row, unsigned thread) { see_row(*tracers_[thread], bins, camera, row, picture); });
     picture.followed =
         pixels - static_cast<std::size_t>(std::count(picture.chart.begin(), picture.chart.end(), no_chart));
     return picture;
 }
 
-void Glimpse::see_rows(EyeTracer& tracer, const Snapshot& bins, const Camera& camera, int row,
-                       GlimpsePicture& picture) const {
+void Glimpse::see_row(EyeTracer& tracer, const Snapshot& bins, const Camera& camera, int row,
+                      GlimpsePicture& picture) const {
     const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width);
     std::vector<Ray> rays;
     std::vector<Draw> all, draws;
+    const PictureRays eye_rays(camera, picture.width, picture.height);
     for (int column = 0; column < picture.width; ++column) {
         const auto pixel = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(column);
         const Draw draw{
             static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row), {sequence_key(1, pixel, 0), 0}};
         const auto place = number_pair<float>(draw.numbers.key, draw.numbers.index, place_dimension);
         rays.push_back({camera.position,
-                        ray_direction(camera, picture.width, picture.height, static_cast<float>(column) + place[0],
-                                      static_cast<float>(row) + place[1])});
+                        eye_rays.direction(static_cast<float>(column) + place[0], static_cast<float>(row) + place[1])});
         all.push_back(draw);
     }
     std::vector<Hit> hits(rays.size());

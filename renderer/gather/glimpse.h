@@ -31,8 +31,7 @@ class Glimpse {
     GlimpsePicture see(const Snapshot& bins, const Camera& camera, int width, int height, unsigned threads);
 
   private:
-    void see_rows(EyeTracer& tracer, const Snapshot& bins, const Camera& camera, int row,
-                  GlimpsePicture& picture) const;
+    void see_row(EyeTracer& tracer, const Snapshot& bins, const Camera& camera, int row, GlimpsePicture& picture) const;
 
     std::shared_ptr<const Scene> scene_;
     EyeScene eye_;

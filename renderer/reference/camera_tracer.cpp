@@ -1,8 +1,6 @@
 #include "reference/camera_tracer.h"
 
-#include <atomic>
-#include <thread>
-
+#include "base/threads.h"
 #include "reference/eye_chain.h"
 #include "reference/path_random.h"
 
@@ -169,23 +167,15 @@ PixelStokes CameraTracer::sample(int column, int row, std::uint64_t index) const
 
 void CameraTracer::add_samples(std::uint64_t count, unsigned threads) {
     const int columns = (sums_.width() + tile - 1) / tile, rows = (sums_.height() + tile - 1) / tile;
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int t = next++; t < columns * rows; t = next++) {
-            const int left = t % columns * tile, top = t / columns * tile;
-            for (int row = top; row < std::min(top + tile, sums_.height()); ++row)
-                for (int column = left; column < std::min(left + tile, sums_.width()); ++column)
-                    for (std::uint64_t index = samples_; index < samples_ + count; ++index)
-                        sums_.add(static_cast<std::size_t>(row) * static_cast<std::size_t>(sums_.width()) +
-                                      static_cast<std::size_t>(column),
-                                  sample(column, row, index));
-        }
-    };
-    {
-        std::vector<std::jthread> helpers;
-        for (unsigned t = 1; t < threads; ++t) helpers.emplace_back(work);
-        work();
-    }
+    on_threads(columns * rows, threads, [&](int t, unsigned) {
+        const int left = t % columns * tile, top = t / columns * tile;
+        for (int row = top; row < std::min(top + tile, sums_.height()); ++row)
+            for (int column = left; column < std::min(left + tile, sums_.width()); ++column)
+                for (std::uint64_t index = samples_; index < samples_ + count; ++index)
+                    sums_.add(static_cast<std::size_t>(row) * static_cast<std::size_t>(sums_.width()) +
+                                  static_cast<std::size_t>(column),
+                              sample(column, row, index));
+    });
     samples_ += count;
 }
 

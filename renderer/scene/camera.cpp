@@ -37,13 +37,22 @@ glm::mat4 view_projection(const Camera& camera, int width, int height, float jit
     return glm::mat4(projection * view);
 }
 
+PictureRays::PictureRays(const Camera& camera, int width, int height)
+    : forward_(camera.forward),
+      right_(camera.right()),
+      up_(camera.up),
+      width_(width),
+      height_(height),
+      half_(std::tan(0.5 * static_cast<double>(camera.vertical_field_of_view))) {}
+
+glm::vec3 PictureRays::direction(float x, float y) const {
+    const double right = (2 * static_cast<double>(x) / width_ - 1) * half_ * (width_ / height_);
+    const double up = (1 - 2 * static_cast<double>(y) / height_) * half_;
+    return glm::vec3(glm::normalize(forward_ + right * right_ + up * up_));
+}
+
 glm::vec3 ray_direction(const Camera& camera, int width, int height, float x, float y) {
-    const double half = std::tan(0.5 * static_cast<double>(camera.vertical_field_of_view));
-    const double aspect = static_cast<double>(width) / static_cast<double>(height);
-    const double right = (2.0 * static_cast<double>(x) / width - 1.0) * half * aspect;
-    const double up = (1.0 - 2.0 * static_cast<double>(y) / height) * half;
-    return glm::vec3(
-        glm::normalize(glm::dvec3(camera.forward) + right * glm::dvec3(camera.right()) + up * glm::dvec3(camera.up)));
+    return PictureRays(camera, width, height).direction(x, y);
 }
 
 }  // namespace brewster

@@ -96,15 +96,6 @@ EmittedPhoton<FloatLanes> PhotonEmission::sample_lanes(std::uint64_t first) cons
 
 namespace {
 
-std::array<float, row_size> row_at(const std::vector<Row>& rows, std::uint32_t index) {
-    return rows[index].x;
-}
-Columns row_at(const std::vector<Row>& rows, WordLanes index) {
-    std::array<std::uint32_t, lane_count> indices;
-    store(index, indices.data());
-    return load_columns([&](int lane) { return rows[indices[static_cast<std::size_t>(lane)]].x.data(); });
-}
-
 // Halved words as numbers in [0, 1).
 template <class Real>
 Real number_below_one(const Word<Real>& word) {

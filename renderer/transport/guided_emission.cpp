@@ -53,15 +53,6 @@ namespace {
 
 enum : std::size_t { from_x, from_y, scale_x, scale_y, to_x, to_y, move_weight };
 
-std::array<float, row_size> move_at(const std::vector<Row>& moves, std::uint32_t cell) {
-    return moves[cell].x;
-}
-Columns move_at(const std::vector<Row>& moves, WordLanes cell) {
-    std::array<std::uint32_t, lane_count> cells;
-    store(cell, cells.data());
-    return load_columns([&](int lane) { return moves[cells[static_cast<std::size_t>(lane)]].x.data(); });
-}
-
 }  // namespace
 
 template <class Real>
@@ -77,7 +68,7 @@ EmissionGuide::Start<Real> EmissionGuide::warp(const Word<Real>& lamp, const Wor
         const Word<Real> child = (step.second & Word<Real>(axis_bit - 1)) + select(low, none, one);
         cell = select(ends, cell, child);
     }
-    const auto move = move_at(moves_, cell);
+    const auto move = row_at(moves_, cell);
     const auto moved = [&](const Word<Real>& word, std::size_t axis) {
         const Real beyond = number_of(word - words_of(move[from_x + axis]));
         return min(fma(beyond, move[scale_x + axis], move[to_x + axis]), constant<Real>(0x1.fffffep-1));

@@ -1,0 +1,27 @@
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace brewster {
+
+/// As many threads as are wanted; 0: as the machine has.
+inline unsigned thread_count(unsigned wanted = 0) {
+    return wanted > 0 ? wanted : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Calls work(index, thread) once for each index below `count`, in no order, on so many threads; the caller's is number
+/// 0 of them. Returns when all is done. Threads that are started inherit the caller's priority.
+template <class Work>
+void on_threads(int count, unsigned threads, const Work& work) {
+    std::atomic<int> next = 0;
+    const auto take = [&](unsigned thread) {
+        for (int index = next++; index < count; index = next++) work(index, thread);
+    };
+    std::vector<std::jthread> helpers;
+    for (unsigned thread = 1; thread < threads; ++thread) helpers.emplace_back(take, thread);
+    take(0);
+}
+
+}  // namespace brewster
