@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 namespace brewster {
 
@@ -9,6 +10,11 @@ inline void promise(bool holds, const char* what) {
     if (holds) return;
     std::fprintf(stderr, "broken promise: %s\n", what);
     std::abort();
+}
+
+/// What a person reads when something fails.
+inline void promise_one_sentence(const std::string& message) {
+    promise(message.find('\n') == std::string::npos, "an error is one sentence");
 }
 
 struct Scene;

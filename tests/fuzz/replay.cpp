@@ -2,18 +2,12 @@
 // least its first steps.
 #include "app/replay.h"
 
-#include <unistd.h>
-
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "fuzz/input_file.h"
 #include "fuzz/json_mutator.h"
 #include "fuzz/promises.h"
-
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 namespace {
 
@@ -36,30 +30,22 @@ brewster::Stage idle_stage() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace brewster;
-    static const std::string path =
-        (std::filesystem::temp_directory_path() / ("brewster-fuzz-" + std::to_string(getpid()) + ".json")).string();
     static Stage stage = idle_stage();
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    const InputFile input(".json", data, size);
     try {
-        Replay replay(path, "/dev/null");
+        Replay replay(input.path(), "/dev/null");
         constexpr int frames = 100;
         for (int frame = 0; frame < frames && replay.advance(stage); ++frame) {
             replay.presented(1.0, stage);
             promise(replay.patience() >= 0, "time goes on");
         }
     } catch (const Error& error) {
-        promise(std::string(error.what()).find('\n') == std::string::npos, "an error is one sentence");
+        promise_one_sentence(error.what());
     }
-    std::filesystem::remove(path);
     return 0;
 }
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned int seed) {
-    if (seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
-    const std::string changed = brewster::with_changed_json(std::string(reinterpret_cast<char*>(data), size), seed / 4);
-    if (changed.size() > most) return LLVMFuzzerMutate(data, size, most);
-    std::memcpy(data, changed.data(), changed.size());
-    return changed.size();
+    return brewster::mutate_json(data, size, most, seed, 4);
 }

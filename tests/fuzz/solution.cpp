@@ -1,17 +1,15 @@
 // Any bytes as a saved solution: a sentence, or an engine that goes on from it and keeps its accounts. Checksums are made
 // right after each change, so that what lies behind them is read, too.
-#include <unistd.h>
 #include <zlib.h>
 
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 
 #include "base/error.h"
 #include "engine/engine.h"
 #include "engine/saved_settings.h"
+#include "fuzz/input_file.h"
 #include "fuzz/promises.h"
 #include "scene/mutations.h"
 #include "scene/scene.h"
@@ -39,12 +37,9 @@ void mend_checksums(std::uint8_t* data, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace brewster;
     static const auto scene = std::make_shared<const Scene>(read_scene_text(whole_file().text(), "whole"));
-    static const std::string path =
-        (std::filesystem::temp_directory_path() / ("brewster-fuzz-" + std::to_string(getpid()) + ".bins")).string();
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    const InputFile input(".bins", data, size);
     try {
-        const SolutionReader file(path);
+        const SolutionReader file(input.path());
         SavedSettings settings = saved_settings(file);
         settings.engine.threads = 1;
         settings.engine.bins.memory_bytes = std::min(settings.engine.bins.memory_bytes, std::size_t{1} << 24);
@@ -54,9 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         engine.wait();
         promise(!engine.digest().empty(), "a solution has a digest");
     } catch (const Error& error) {
-        promise(std::string(error.what()).find('\n') == std::string::npos, "an error is one sentence");
+        promise_one_sentence(error.what());
     }
-    std::filesystem::remove(path);
     return 0;
 }
 

@@ -170,22 +170,9 @@ TEST(GatherClosedAnswers, LobesEndInTheBins) {
 
 /// E rho/pi under a sun, a disc, a spot (theory 4); under a rough face their glare is what the lobe says.
 TEST(GatherClosedAnswers, LampsWithoutExtent) {
-    Lamp sun;
-    sun.kind = LampKind::sun;
-    sun.intensity = glm::vec3(4.0f);
-    sun.direction = glm::vec3(glm::normalize(glm::dvec3(1, 0, -1)));
-    Lamp disc = sun;
-    disc.angular_radius = 0.2f;
-    Lamp spot;
-    spot.kind = LampKind::spot;
-    spot.position = {0, 0, 2};
-    spot.intensity = glm::vec3(3.0f);
-    spot.cos_inner = 0.9f;
-    spot.cos_outer = 0.5f;
-    spot.power = spot_power(spot.intensity, spot.cos_inner, spot.cos_outer);
     const std::array<double, 3> lux = {4 * std::sqrt(0.5), 4 * std::sqrt(0.5), 0.75};
     for (std::size_t k = 0; k < 3; ++k) {
-        const Lamp lamp = std::array{sun, disc, spot}[k];
+        const Lamp lamp = std::array{slanting_sun(), slanting_sun(0.2f), spot_above()}[k];
         for (const bool rough : {false, true}) {
             const Material gloss = test_materials::beckmann(test_materials::dielectric(Base::black), 0.3f);
             HandMade room;
@@ -200,7 +187,7 @@ TEST(GatherClosedAnswers, LampsWithoutExtent) {
             if (rough) {
                 if (k == 1) continue;  // an integral, see against_reference
                 const PreparedMaterial prepared = prepare_materials({gloss}).front();
-                const Vector<double> towards = k == 2 ? Vector<double>{0, 0, 1} : normalized(-vector_of(sun.direction));
+                const Vector<double> towards = k == 2 ? Vector<double>{0, 0, 1} : normalized(-vector_of(lamp.direction));
                 const auto value = evaluate_gloss<Use::eye, band_count>(prepared, -towards, vector_of(glm::vec3(eye)),
                                                                         Vector<double>{0, 0, 1});
                 expected = lux[k] * value.value[0].m00;

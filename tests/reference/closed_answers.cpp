@@ -238,22 +238,10 @@ TEST(ClosedAnswers, LampsWithoutExtent) {
         const Seen seen = render(*scene, looking({0, -3, 3}, {0, 0, 0}, 0.02), 4, 200);
         expect_close(what, seen.mean[0], expected, seen.error[0] + 1e-4 * expected);
     };
-    Lamp sun;
-    sun.kind = LampKind::sun;
-    sun.intensity = glm::vec3(4.0f);
-    sun.direction = glm::vec3(glm::normalize(glm::dvec3(1, 0, -1)));
-    floor_under(sun, 4 * std::sqrt(0.5) * 0.5 / pi, "sun");
-    sun.angular_radius = 0.2f;
+    floor_under(slanting_sun(), 4 * std::sqrt(0.5) * 0.5 / pi, "sun");
     // Of a disc above the horizon the irradiance on a tilted surface is that of its middle: E cos.
-    floor_under(sun, 4 * std::sqrt(0.5) * 0.5 / pi, "sun's disc");
-    Lamp spot;
-    spot.kind = LampKind::spot;
-    spot.position = {0, 0, 2};
-    spot.intensity = glm::vec3(3.0f);
-    spot.cos_inner = 0.9f;
-    spot.cos_outer = 0.5f;
-    spot.power = spot_power(spot.intensity, spot.cos_inner, spot.cos_outer);
-    floor_under(spot, 3.0 / 4 * 0.5 / pi, "spot");
+    floor_under(slanting_sun(0.2f), 4 * std::sqrt(0.5) * 0.5 / pi, "sun's disc");
+    floor_under(spot_above(), 3.0 / 4 * 0.5 / pi, "spot");
 }
 
 }  // namespace

@@ -107,6 +107,28 @@ inline Material grey(float albedo) {
     return material;
 }
 
+/// A sun of 4 lux that falls at 45 degrees on a floor z = const; of a disc of that radius.
+inline Lamp slanting_sun(float angular_radius = 0) {
+    Lamp sun;
+    sun.kind = LampKind::sun;
+    sun.intensity = glm::vec3(4.0f);
+    sun.direction = glm::vec3(glm::normalize(glm::dvec3(1, 0, -1)));
+    sun.angular_radius = angular_radius;
+    return sun;
+}
+
+/// A spot of 3 cd, 2 m above the origin.
+inline Lamp spot_above() {
+    Lamp spot;
+    spot.kind = LampKind::spot;
+    spot.position = {0, 0, 2};
+    spot.intensity = glm::vec3(3.0f);
+    spot.cos_inner = 0.9f;
+    spot.cos_outer = 0.5f;
+    spot.power = spot_power(spot.intensity, spot.cos_inner, spot.cos_outer);
+    return spot;
+}
+
 inline Camera looking(glm::dvec3 from, glm::dvec3 to, double vertical_degrees) {
     Camera camera;
     camera.name = "test";
