@@ -68,6 +68,14 @@ InputEvent event_of(std::string chord, InputEvent::Kind kind) {
     return event;
 }
 
+/// A whole number of a script. Throws json's own exception, as for any other value of the wrong kind.
+int whole(const json& value, int least, int most) {
+    const auto number = value.get<double>();
+    if (number >= least && number <= most) return static_cast<int>(number);
+    throw json::other_error::create(
+        501, value.dump() + " is no number from " + std::to_string(least) + " to " + std::to_string(most), &value);
+}
+
 bool holds(const json& wanted, const json& found) {
     if (wanted.is_object() && !found.is_object()) {
         for (const auto& [sign, bound] : wanted.items()) {
@@ -223,7 +231,7 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
         return script(stage, event, picture), true;
     }
     if (step.contains("drag")) {
-        const int count = std::max(step.value("frames", 20), 1);
+        const int count = step.contains("frames") ? whole(step["frames"], 1, 1'000'000) : 20;
         const std::uint64_t seen = frames;
         if (moved > 0 && moved <= count && seen == frames_before) return elapsed > 30;  // one frame a motion
         frames_before = seen;
@@ -243,7 +251,9 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
     if (step.contains("event")) {
         if (elapsed < step.value("after", 0.0)) return false;
         const json& from = step["event"];
-        InputEvent event = event_of(from.value("key", ""), static_cast<Kind>(from.value("kind", 4)));
+        constexpr int first = static_cast<int>(Kind::key_press), last = static_cast<int>(Kind::wheel);
+        const auto kind = from.contains("kind") ? static_cast<Kind>(whole(from["kind"], first, last)) : Kind::motion;
+        InputEvent event = event_of(from.value("key", ""), kind);
         event.button = button_of(from);
         event.shift = from.value("shift", false);
         event.control = from.value("control", false);
@@ -261,7 +271,10 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
     }
     if (step.contains("type")) return stage.type(step["type"]), true;
     if (step.contains("open")) return stage.open(step["open"]), true;
-    if (step.contains("resize")) return stage.resize(step["resize"].at(0), step["resize"].at(1)), true;
+    if (step.contains("resize")) {
+        constexpr int most = 1 << 15;
+        return stage.resize(whole(step["resize"].at(0), 1, most), whole(step["resize"].at(1), 1, most)), true;
+    }
     if (step.contains("minimise")) return stage.minimise(step["minimise"]), true;
     if (step.contains("flat")) return stage.make_flat(step["flat"]), true;
     if (step.contains("capture")) return stage.capture(step["capture"]), true;

@@ -36,11 +36,13 @@ std::string end_of(const std::string& script) {
 
 TEST(Replay, PlaysWhatIsAStepAndRefusesAllElse) {
     EXPECT_EQ(end_of(R"({"steps": [{"move": [0.5, 0.5]}, {"drag": [0, 0, 1, 1], "frames": 2}]})"), "played");
-    EXPECT_EQ(end_of(R"({"steps": [{"drag": [0, 0, 1, 1], "frames": -3}]})"), "played");
     for (const char* script :
          {"", "[]", R"({"steps": 3})", R"({"steps": {"a": {"wait": 1}}})", R"({"steps": [7]})",
           R"({"steps": [{"move": [0.5]}]})", R"({"steps": [{"resize": [640]}]})", R"({"steps": [{"wheel": 1}]})",
           R"({"steps": [{"wait": "long"}]})", R"({"steps": [{"event": {"kind": 1}}]})",
+          R"({"steps": [{"event": {"at": [0, 0], "kind": 1e30}}]})",
+          R"({"steps": [{"event": {"at": [0, 0], "kind": 6}}]})", R"({"steps": [{"resize": [0, 480]}]})",
+          R"({"steps": [{"resize": [640, 1e10]}]})", R"({"steps": [{"drag": [0, 0, 1, 1], "frames": -3}]})",
           R"({"steps": [{"move": [0, 1], "wait": "x"}, {"dance": 1}]})"}) {
         const std::string end = end_of(script);
         EXPECT_NE(end.find("brewster-replay-test.json: "), std::string::npos) << script << " ends in: " << end;
