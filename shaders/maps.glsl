@@ -18,7 +18,6 @@ float band_mean(vec3 bands) { return (bands.x + bands.y + bands.z) / 3.0; }
 
 // The light that passes the analyzer, each band by itself.
 PixelLight behind(vec4 analyzer, PixelLight light) {
-    if (analyzer.w == 0.0) return light;
     for (int band = 0; band < 3; ++band) {
         vec4 passed =
             analysed(vec4(light.s0[band], light.s1[band], light.s2[band], light.s3[band]), analyzer);

@@ -1,5 +1,7 @@
 // Linear light as the screen shows it: behind an analyzer, as a map, exposed. The light comes as means times `draws`,
-// from draws of the bins or from rays of the eye.
+// from draws of the bins or from rays of the eye. A program for each way of looking, since a processor that draws would
+// work out every branch: BREWSTER_MAP is the map; BREWSTER_ANALYZER: there is an analyzer; BREWSTER_STRETCHED: the
+// picture is not as large as the screen.
 
 #include "maps.glsl"
 
@@ -9,18 +11,25 @@ uniform sampler2D variance_s0, variance_linear, variance_s3;
 uniform sampler2D squares_s0;  // sum over the draws of the square of S0
 uniform float draws, unpolarized_draws;
 uniform bool has_squares;
-uniform int map;
+const int map = BREWSTER_MAP;
 uniform int palette;
-uniform vec4 analyzer;     // see analysed in shared/stokes.h
-uniform float exposure;    // EV
+uniform float exposure;  // EV
+#ifdef BREWSTER_ANALYZER
+uniform vec4 analyzer;  // see analysed in shared/stokes.h
+#endif
+#ifdef BREWSTER_STRETCHED
 uniform vec2 screen_size;  // pixels
+#endif
 
 out vec4 colour;
 
 // Between pixels only where the picture is stretched: a filter of eight bits lets a bright neighbour in even at a centre.
 vec3 sampled(sampler2D picture) {
-    if (textureSize(picture, 0) == ivec2(screen_size)) return texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+#ifdef BREWSTER_STRETCHED
     return texture(picture, gl_FragCoord.xy / screen_size).rgb;
+#else
+    return texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+#endif
 }
 
 void main() {
@@ -28,7 +37,7 @@ void main() {
     light.s0 = sampled(light_s0) / draws;
     light.s1 = light.s2 = light.s3 = light.unpolarized = vec3(0.0);
     light.error_s0 = light.error_linear = light.error_s3 = vec3(0.0);
-    if (map != map_bins && (map != map_radiance || analyzer.w != 0.0)) {
+    if (map != map_bins) {  // what the map does not look at, the compiler leaves out
         light.s1 = sampled(light_s1) / draws;
         light.s2 = sampled(light_s2) / draws;
         light.s3 = sampled(light_s3) / draws;
@@ -41,7 +50,9 @@ void main() {
         light.error_s0 = sqrt(variance);
         light.error_linear = sqrt(sampled(variance_linear) / draws);
         light.error_s3 = sqrt(sampled(variance_s3) / draws);
+#ifdef BREWSTER_ANALYZER
         light = behind(analyzer, light);
+#endif
     }
     colour = vec4(map_colour(map, light, exposure, palette), 1.0);
 }

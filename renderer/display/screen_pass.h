@@ -1,4 +1,7 @@
 #pragma once
+#include <map>
+#include <tuple>
+
 #include "display/light_textures.h"
 #include "display/program.h"
 #include "display/rendition.h"
@@ -16,7 +19,10 @@ class ScreenPass {
     void show(const Screen& screen, const LightTextures& light, const Rendition& rendition) const;
 
   private:
-    Program program_;
+    /// The program that shows this map, behind an analyzer or not, of a picture that is stretched or not.
+    const Program& program(Map map, bool analyzed, bool stretched) const;
+
+    mutable std::map<std::tuple<Map, bool, bool>, Program> programs_;  ///< made when first used
     VertexArray no_vertices_;
     Texture black_;
 };
