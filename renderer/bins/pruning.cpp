@@ -110,7 +110,10 @@ void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fie
         if (!any) continue;
         if (2 * time >= static_cast<double>(photons_)) {
             std::array<double, looked_below>& below = unresolved_[node];
-            below.fill((detail - noise) / time);
+            // Stratified photons: all of the small noise is taken off, no more, or it would hide the structure.
+            const double squares = spreads_[low].squares + spreads_[high].squares;
+            const double ratio = squares > 0 ? (spreads_[low].variance() + spreads_[high].variance()) / squares : 1;
+            below.fill((detail - ratio * noise) / time);
             for (std::size_t level = 1; level < looked_below; ++level)
                 below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
         }
@@ -163,15 +166,16 @@ double Pruning<D>::variance_ratio(std::uint32_t node) const {
 }
 
 template <int D>
-void Pruning<D>::add_excess(std::uint32_t node, const FieldSums<D>& sums, double freedom, Excess& excess) const {
+LeafExcess Pruning<D>::excess(std::uint32_t node, const FieldSums<D>& sums, double freedom) const {
+    LeafExcess excess;
     const double time = age(node);
-    if (time <= 0) return;
-    excess.structure += unresolved_[node][looked_below - 1];
+    if (time <= 0) return excess;
+    excess.structure = unresolved_[node][looked_below - 1];
     for (std::size_t b = 0; b < band_count; ++b) {
         excess.noise += importance_[tree_.cell(node).chart][b] * freedom * sums.squares[b] /
                         (cell_measure(tree_.cell(node)) * time * time);
     }
-    excess.leaves += 1;
+    return excess;
 }
 
 template class Pruning<2>;

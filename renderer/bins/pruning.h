@@ -4,6 +4,7 @@
 
 #include "bins/bin_settings.h"
 #include "bins/error_estimate.h"
+#include "bins/hidden_structure.h"
 #include "bins/light_sums.h"
 #include "bins/linear_fit.h"
 #include "bins/tree.h"
@@ -38,8 +39,8 @@ class Pruning {
     /// with seven degrees of freedom, so it leans on its chart, and that on the scene.
     double variance_ratio(std::uint32_t node) const;
 
-    /// Adds what is known of unpublished structure under a leaf; `freedom`: numbers fitted from its photons alone.
-    void add_excess(std::uint32_t node, const FieldSums<D>& sums, double freedom, Excess& excess) const;
+    /// What is known of unpublished structure under a leaf; `freedom`: numbers fitted from its photons alone.
+    LeafExcess excess(std::uint32_t node, const FieldSums<D>& sums, double freedom) const;
 
   private:
     const Quanta* pending_estimate(std::uint32_t node) const;

@@ -193,18 +193,16 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
 }
 
 void Publisher::write_leaves(int light, int world) {
-    const auto add_excess = [&](std::size_t i, Excess& excess) {
-        pruning_.add_excess(leaf_nodes_[i], sums_[leaf_nodes_[i]], leaves_[i].freedom, excess);
-    };
-    Excess scene;
-    for (std::size_t i = 0; i < leaves_.size(); ++i) add_excess(i, scene);
+    std::vector<LeafExcess> excess(leaves_.size());
+    for (std::size_t i = 0; i < leaves_.size(); ++i)
+        excess[i] = pruning_.excess(leaf_nodes_[i], sums_[leaf_nodes_[i]], leaves_[i].freedom);
+    const std::vector<double> hidden = hidden_structure(excess, chart_begin_);
     for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
-        Excess excess;
-        for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) add_excess(i, excess);
-        const double inflation = excess.inflation(scene);
         for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) {
             const PublishedLeaf& leaf = leaves_[i];
-            const glm::dvec3 error = std::sqrt(leaf.freedom * inflation) * leaf.standard_error;
+            // The standard error holds the ratio already; structure is told in units of the noise without it.
+            const double variance = 1 + hidden[i] / pruning_.variance_ratio(leaf_nodes_[i]);
+            const glm::dvec3 error = std::sqrt(leaf.freedom * variance) * leaf.standard_error;
             glm::vec4* texels =
                 &snapshot_.leaves[BREWSTER_LEAF_TEXELS * (first_leaf_ + i * static_cast<std::size_t>(worlds_) +
                                                           static_cast<std::size_t>(world))];

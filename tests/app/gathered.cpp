@@ -23,8 +23,8 @@ json report_of(std::vector<std::string> arguments, const std::string& folder) {
     return json::parse(result.output);
 }
 
-/// On and off end in the same bins of the Cornell box, but off takes direct light from them, too: the means of the
-/// pictures differ by at most 3 of the bins' stated errors, as if all cells erred together.
+/// On and off end in the same bins of the Cornell box, but off takes direct light from them, too. The camera sees more than
+/// 30 cells that err on their own, so the means of the pictures differ by at most 3 / sqrt(30) of the bins' stated error.
 TEST(Gathered, AgreesWithTheBinsOfADiffuseScene) {
     const std::string folder = fresh_folder();
     const auto shot = [&](const std::string& gather) {
@@ -35,12 +35,12 @@ TEST(Gathered, AgreesWithTheBinsOfADiffuseScene) {
     shot("off");
     const double stated = shot("on")["gather"]["relative_error"]["bins"];
     EXPECT_GT(stated, 1e-4);
-    EXPECT_LT(stated, 0.015);  // so that 5 % would be noticed
+    EXPECT_LT(stated, 0.06);  // so that 5 % would be noticed
     const json components = report_of({"compare", "on.exr", "off.exr"}, folder)["components"];
     for (const char* band : {"R", "G", "B"}) {
         const json& s0 = components["S0"][band];
         const double bias = s0["bias"].get<double>() / s0["reference_mean"].get<double>();
-        EXPECT_LT(std::abs(bias), 3 * stated) << band;
+        EXPECT_LT(std::abs(bias), 3 / std::sqrt(30.0) * stated) << band;
     }
 }
 
