@@ -70,7 +70,8 @@ glm::dvec3 point(const ViewWord& word) {
         const std::size_t comma = k < 2 ? rest.find(',') : rest.size();
         const std::optional<double> value =
             comma == std::string_view::npos ? std::nullopt : parse_number(rest.substr(0, comma));
-        if (!value) refuse(word, "three numbers like 1,0.5,-2");
+        constexpr double far = 1e12;  // pictures hold single precision, squared distances too
+        if (!value || !(std::abs(*value) <= far)) refuse(word, "three numbers like 1,0.5,-2, none beyond 1e12");
         place[k] = *value;
         rest.remove_prefix(std::min(comma + 1, rest.size()));
     }

@@ -96,6 +96,7 @@ TEST(ViewText, PosesDescribeTheirCamera) {
         EXPECT_EQ(again.name, "view");
     }
     EXPECT_THROW(camera_of(scene, parse_view("eye=1,1,1 target=1,1,1")), Error);
+    EXPECT_THROW(parse_view("eye=1e39,1,1 target=1,1,1"), Error);
     EXPECT_THROW(camera_of(scene, parse_view("eye=0,0,0 target=0,2,0")), Error);
     EXPECT_THROW(camera_of(scene, parse_view("camera=frnt")), Error);
 }
