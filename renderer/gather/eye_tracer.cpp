@@ -234,8 +234,9 @@ class EyeTracer::Batch {
                       std::uint32_t i) const {
         float weight = 1;
         if (segment.pdf > 0) {
-            const double pdf = scene_.lamps.pdf_of_area(
-                hit.chart, vector_of(hit.normal), vector_of(segment.ray.direction), static_cast<double>(hit.distance));
+            const double pdf =
+                scene_.lamps.pdf_of_area(hit.chart, hit.triangle, vector_of(segment.ray.origin), vector_of(hit.normal),
+                                         vector_of(segment.ray.direction), static_cast<double>(hit.distance));
             weight = heuristic_share(segment.pdf, static_cast<float>(pdf));
         }
         for (std::size_t band = 0; band < band_count; ++band) {

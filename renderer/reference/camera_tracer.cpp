@@ -79,7 +79,8 @@ void add_emission(EyePath<components>& path, const Surroundings& surroundings, c
     if (!path.sharp) {
         const Vector<double> way = vertex.position - path.origin;
         const double distance = std::sqrt(dot(way, way));
-        weight = share(path.pdf, surroundings.lamps.pdf_of_area(vertex.chart, vertex.normal, path.direction, distance));
+        weight = share(path.pdf, surroundings.lamps.pdf_of_area(vertex.chart, vertex.triangle, path.origin,
+                                                                vertex.normal, path.direction, distance));
     }
     const glm::dvec3 radiance(vertex.material->emission);
     for (std::size_t band = 0; band < bands; ++band)

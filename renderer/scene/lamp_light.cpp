@@ -74,13 +74,20 @@ std::vector<LampLights::Facet> LampLights::facets_of(const Lamp& lamp) const {
     const std::vector<double> shares = scene_.area_shares(chart);
     std::vector<Facet> facets;
     for (std::uint32_t i = 0; i < chart.triangle_count; ++i) {
+        constexpr double near = 1.25;  // times the largest distance of a corner
         const Triangle& triangle = scene_.triangles[chart.first_triangle + i];
         const auto corner = [&](std::size_t k) { return vector_of(scene_.vertices[triangle.vertices[k]]); };
         Facet facet;
+        facet.before = i > 0 ? shares[i - 1] : 0;
         facet.share = shares[i];
         facet.shape = {corner(0), corner(1) - corner(0), corner(2) - corner(0), vector_of(triangle.margin)};
         const Vector<double> normal = normalized(cross(facet.shape.edge1, facet.shape.edge2));
         facet.normal = triangle.front_chart == lamp.chart ? normal : -normal;
+        facet.centre = facet.shape.corner + (1.0 / 3) * (facet.shape.edge1 + facet.shape.edge2);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vector<double> out = corner(k) - facet.centre;
+            facet.near = std::max(facet.near, near * near * dot(out, out));
+        }
         facets.push_back(facet);
     }
     return facets;
@@ -131,25 +138,56 @@ std::optional<LampLight> LampLights::sample_lamp(std::size_t index, const Vector
     const std::vector<Facet>& facets = facets_[index];
     const std::size_t k = index_of(facets, u, &Facet::share);
     const Facet& facet = facets[k];
-    const double before = k > 0 ? facets[k - 1].share : 0;
-    Barycentric<double> b{(u - before) / (facet.share - before), v};
-    if (b.b1 + b.b2 > 1) b = {1 - b.b1, 1 - b.b2};
+    const Barycentric<double> place{(u - facet.before) / (facet.share - facet.before), v};
+    light.triangle = scene_.charts[lamp.chart].first_triangle + static_cast<std::uint32_t>(k);
+    light.radiance = glm::dvec3(lamp.intensity);
+    if (facet.is_near(point) && sample_near(facet, point, place.b1, place.b2, light)) {
+        if (!(light.pdf > 0)) return {};
+        return light;
+    }
+    const Barycentric<double> b = place.b1 + place.b2 > 1 ? Barycentric<double>{1 - place.b1, 1 - place.b2} : place;
     const Vector<double> way = point_inside(facet.shape, b) - point;
     light.distance = std::sqrt(dot(way, way));
     if (!(light.distance > 0)) return {};
     light.direction = (1 / light.distance) * way;
-    light.pdf = pdf_of_area(lamp.chart, facet.normal, light.direction, light.distance);
-    light.radiance = glm::dvec3(lamp.intensity);
-    if (!(light.pdf > 0) || !std::isfinite(light.pdf)) return {};
+    const double cosine = -dot(facet.normal, light.direction);
+    if (!(cosine > 0)) return {};
+    light.pdf = light.choice * light.distance * light.distance / (cosine * scene_.charts[lamp.chart].area);
+    if (!std::isfinite(light.pdf)) return {};
     return light;
 }
 
-double LampLights::pdf_of_area(std::uint32_t chart, const Vector<double>& normal, const Vector<double>& direction,
-                               double distance) const {
+/// The facet on the sphere of directions; none if it is flat there: it has no peak that matters, and rounding would show.
+std::optional<SphericalTriangle> LampLights::Facet::seen_from(const Vector<double>& point) const {
+    constexpr double least = 1e-3;  // sr
+    const Vector<double> first = shape.corner - point;
+    const SphericalTriangle seen({first, first + shape.edge1, first + shape.edge2});
+    if (!(seen.solid_angle() > least)) return {};
+    return seen;
+}
+
+/// False if the facet is to be sampled by area after all; a density of zero if it turns its back.
+bool LampLights::sample_near(const Facet& facet, const Vector<double>& point, double u, double v, LampLight& light) {
+    const std::optional<SphericalTriangle> seen = facet.seen_from(point);
+    if (!seen) return false;
+    light.direction = seen->sample(u, v);
+    const double cosine = -dot(facet.normal, light.direction);
+    light.distance = dot(facet.normal, point - facet.shape.corner) / cosine;
+    if (cosine > 0 && light.distance > 0 && std::isfinite(light.distance))
+        light.pdf = light.choice * (facet.share - facet.before) / seen->solid_angle();
+    return true;
+}
+
+double LampLights::pdf_of_area(std::uint32_t chart, std::uint32_t triangle, const Vector<double>& point,
+                               const Vector<double>& normal, const Vector<double>& direction, double distance) const {
     const std::uint32_t lamp = lamp_of_chart_[chart];
     if (lamp == no_lamp) return 0;
     const double cosine = -dot(normal, direction);
     if (cosine <= 0) return 0;
+    const Facet& facet = facets_[lamp][triangle - scene_.charts[chart].first_triangle];
+    if (facet.is_near(point))
+        if (const std::optional<SphericalTriangle> seen = facet.seen_from(point))
+            return choice_[lamp] * (facet.share - facet.before) / seen->solid_angle();
     return choice_[lamp] * distance * distance / (cosine * scene_.charts[chart].area);
 }
 

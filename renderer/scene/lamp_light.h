@@ -6,17 +6,18 @@
 #include "optics/vector.h"
 #include "scene/landing.h"
 #include "scene/scene.h"
+#include "scene/spherical_triangle.h"
 
 namespace brewster {
 
 /// Light of a lamp at a point, before anything stands in its way.
 struct LampLight {
-    std::uint32_t lamp = 0;
-    Vector<double> direction{};  ///< unit, from the point to the lamp
-    double distance = 0;         ///< metres; infinite for a sun
-    glm::dvec3 radiance{0.0};    ///< per band; for a lamp without extent its irradiance across the beam
-    double pdf = 0;              ///< density of `direction`, 1/sr, the lamp's choice included; a lamp without extent: 0
-    double choice = 1;           ///< probability of the lamp's choice
+    std::uint32_t lamp = 0, triangle = no_triangle;  ///< of an area lamp
+    Vector<double> direction{};                      ///< unit, from the point to the lamp
+    double distance = 0;                             ///< metres; infinite for a sun
+    glm::dvec3 radiance{0.0};  ///< per band; for a lamp without extent its irradiance across the beam
+    double pdf = 0;            ///< density of `direction`, 1/sr, the lamp's choice included; a lamp without extent: 0
+    double choice = 1;         ///< probability of the lamp's choice
 };
 
 /// Lamps seen from points of the scene: the other end of LampSampler. Constant, so any number of threads may ask.
@@ -26,18 +27,19 @@ class LampLights {
 
     bool any() const { return !cumulative_.empty(); }
 
-    /// One lamp by its power and a direction towards it, from three numbers in [0, 1): area lamps by area, suns by their
-    /// disc. None where the point is behind the lamp or outside its cone.
+    /// One lamp by its power and a direction towards it, from three numbers in [0, 1): area lamps by area, but near
+    /// triangles by solid angle, or the light of what touches a lamp would have no variance; suns by their disc. None
+    /// where the point is behind the lamp or outside its cone.
     std::optional<LampLight> sample(const Vector<double>& point, double choice, double u, double v) const;
 
     /// The same, where u chooses the lamp too and goes on with what the choice leaves of it: evenly spread pairs (u, v)
     /// then are evenly spread over all lamps.
     std::optional<LampLight> sample(const Vector<double>& point, double u, double v) const;
 
-    /// The density with which `sample` finds the point of an area lamp that lies in `direction` at this distance, 1/sr.
-    /// `normal`: unit, of the lamp there. Zero if the chart is no lamp or turns its back.
-    double pdf_of_area(std::uint32_t chart, const Vector<double>& normal, const Vector<double>& direction,
-                       double distance) const;
+    /// The density with which `sample` at `point` finds the place of an area lamp that lies in `direction` at this
+    /// distance, on this triangle, 1/sr. `normal`: unit, of the lamp there. Zero if the chart is no lamp or turns its back.
+    double pdf_of_area(std::uint32_t chart, std::uint32_t triangle, const Vector<double>& point,
+                       const Vector<double>& normal, const Vector<double>& direction, double distance) const;
 
     /// The suns whose disc a ray that leaves the scene runs into.
     template <class Visit>
@@ -48,11 +50,20 @@ class LampLights {
 
   private:
     struct Facet {
-        double share = 1;  // of the lamp's area, up to and with this triangle; ends in 1
+        double before = 0, share = 1;  // of the lamp's area, before this triangle and with it; ends in 1
         TriangleShape<double> shape;
         Vector<double> normal;  // unit, on the side that glows
+        Vector<double> centre;
+        double near = 0;  // squared distance from the centre below which it may be sampled by solid angle
+
+        bool is_near(const Vector<double>& point) const {
+            const Vector<double> way = point - centre;
+            return dot(way, way) < near;
+        }
+        std::optional<SphericalTriangle> seen_from(const Vector<double>& point) const;
     };
     std::vector<Facet> facets_of(const Lamp& lamp) const;
+    static bool sample_near(const Facet& facet, const Vector<double>& point, double u, double v, LampLight& light);
     std::optional<LampLight> sample_lamp(std::size_t lamp, const Vector<double>& point, double u, double v) const;
     std::optional<LampLight> disc_seen(std::uint32_t lamp, const Vector<double>& direction) const;
 

@@ -46,7 +46,8 @@ TEST(LampLights, SamplesGiveTheIrradiance) {
         sum += x / draws;
         squares += x * x / draws;
         const std::uint32_t chart = scene.lamps[light->lamp].chart;
-        ASSERT_NEAR(lamps.pdf_of_area(chart, vector_of(scene.charts[chart].normal), light->direction, light->distance),
+        ASSERT_NEAR(lamps.pdf_of_area(chart, light->triangle, point, vector_of(scene.charts[chart].normal),
+                                      light->direction, light->distance),
                     light->pdf, 1e-9 * light->pdf);
         ASSERT_NEAR(light->direction.y * light->distance, 2, 1e-5);
     }
@@ -54,6 +55,33 @@ TEST(LampLights, SamplesGiveTheIrradiance) {
     const double error = std::sqrt((squares - sum * sum) / draws);
     EXPECT_NEAR(sum, expected, 4.5 * error);
     EXPECT_LT(4.5 * error, 0.05 * expected);  // so that 5 % would be noticed
+}
+
+/// A hundredth of a metre below the corner that both lamps share: their light comes from nearly all of a quarter of the sky
+/// each, and by solid angle no sample is far from the mean. (By area the spread is 100 times the mean.)
+TEST(LampLights, NearLampsAreSampledBySolidAngle) {
+    const Scene scene = two_lamps();
+    const LampLights lamps(scene);
+    RandomLight random(5);
+    const Vector<double> point = vector_of(glm::vec3(glm::dvec3(0, 1.99, 0) - scene.centre));
+    double sum = 0, squares = 0;
+    const int draws = 100000 / light_test_scale;
+    for (int n = 0; n < draws; ++n) {
+        const auto light = lamps.sample(point, random.unit(), random.unit(), random.unit());
+        ASSERT_TRUE(light);
+        const double x = light->radiance.x * light->direction.y / light->pdf;
+        sum += x / draws;
+        squares += x * x / draws;
+        const std::uint32_t chart = scene.lamps[light->lamp].chart;
+        ASSERT_NEAR(lamps.pdf_of_area(chart, light->triangle, point, vector_of(scene.charts[chart].normal),
+                                      light->direction, light->distance),
+                    light->pdf, 1e-9 * light->pdf);
+        ASSERT_NEAR(light->direction.y * light->distance, 0.01, 1e-5);
+    }
+    const double expected = irradiance_below_corner(1, 1, 0.01) + 3 * irradiance_below_corner(2, 2, 0.01);
+    const double error = std::sqrt((squares - sum * sum) / draws);
+    EXPECT_NEAR(sum, expected, 4.5 * error);
+    EXPECT_LT(std::sqrt(squares - sum * sum), 3 * sum);
 }
 
 TEST(LampLights, NothingComesFromBehindALamp) {
