@@ -1,6 +1,7 @@
 #include "app/canvas.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "display/legend.h"
 #include "display/read_light.h"
@@ -40,20 +41,27 @@ Canvas::Canvas(std::shared_ptr<const Scene> scene)
 void Canvas::repaint(std::shared_ptr<const Scene> scene) {
     picture_->repaint(*scene);
     scene_ = std::move(scene);
-    gathered_ = nullptr;
+    show_bins();
 }
 
 void Canvas::open(std::shared_ptr<const Scene> scene) {
     auto picture = std::make_unique<Picture>(*scene);
     picture_ = std::move(picture);
     scene_ = std::move(scene);
-    gathered_ = nullptr;
+    show_bins();
 }
 
 void Canvas::show_gathered(std::shared_ptr<const StokesPicture> picture, std::uint64_t photons) {
-    gathered_ = std::move(picture);
-    gathered_photons_ = photons;
-    gathered_light_.upload(*gathered_);
+    arriving_ = std::move(picture);
+    arriving_photons_ = photons;
+    gathered_light_.begin();
+}
+
+bool Canvas::upload_gathered(std::size_t bytes) {
+    if (!arriving_ || !gathered_light_.advance(*arriving_, bytes)) return false;
+    gathered_ = std::exchange(arriving_, nullptr);
+    gathered_photons_ = arriving_photons_;
+    return true;
 }
 
 Rendition Canvas::needed(const Sight& view, bool other_world) {
@@ -87,8 +95,11 @@ std::optional<SeenLight> Canvas::look_at(glm::ivec2 low, glm::ivec2 high, glm::i
         return seen_light(*gathered_, low, high, polarization);
     Rendition world;
     world.polarization = polarization;
-    if (picture_->draws(world) == 0 || picture_->width() != size.x || picture_->height() != size.y) return {};
-    return seen_light(read_light(picture_->light(), size.y, low, high), {0, 0}, high - low, polarization);
+    if (picture_->draws(world) == 0) return {};
+    // While the camera moves, the picture may be coarser than the screen.
+    const glm::ivec2 drawn(picture_->width(), picture_->height());
+    const glm::ivec2 first = low * drawn / size, last = glm::max(first + 1, (high * drawn + size - 1) / size);
+    return seen_light(read_light(picture_->light(), drawn.y, first, last), {0, 0}, last - first, polarization);
 }
 
 }  // namespace brewster

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,9 +41,13 @@ class Canvas {
     Picture& picture() { return *picture_; }
     const Picture& picture() const { return *picture_; }
 
-    /// From now on this is shown, which ends in bins of so many photons, until the bins are to be shown again.
+    /// This, which ends in bins of so many photons, is shown as soon as it is uploaded, until the bins are to be shown
+    /// again.
     void show_gathered(std::shared_ptr<const StokesPicture> picture, std::uint64_t photons);
-    void show_bins() { gathered_ = nullptr; }
+    void show_bins() { gathered_ = arriving_ = nullptr; }
+    bool arriving() const { return arriving_ != nullptr; }
+    /// Uploads at most so many bytes of it. True when it is shown from now on.
+    bool upload_gathered(std::size_t bytes);
     const StokesPicture* gathered() const { return gathered_.get(); }
 
     /// What must have been drawn to show the view: the world that is wanted, or both where they stand side by side.
@@ -55,8 +61,8 @@ class Canvas {
   private:
     std::shared_ptr<const Scene> scene_;
     std::unique_ptr<Picture> picture_;
-    std::shared_ptr<const StokesPicture> gathered_;
-    std::uint64_t gathered_photons_ = 0;
+    std::shared_ptr<const StokesPicture> gathered_, arriving_;
+    std::uint64_t gathered_photons_ = 0, arriving_photons_ = 0;
     GatheredLight gathered_light_;
     ScreenPass screen_pass_;
     Text text_;

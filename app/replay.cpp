@@ -121,7 +121,8 @@ struct Replay::Impl {
     double processor_before = 0, measured_from = 0;
     std::uint64_t measured_frames = 0;
     std::vector<double> frame_ms;
-    bool answered = false;
+    std::uint64_t bare_frames = 0;  // that lack light which bins cannot show
+    double longest_turn_ms = 0;
 
     // Events of which the first frame that shows them is awaited.
     struct Asked {
@@ -292,7 +293,10 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
     if (step.contains("wait")) return elapsed >= step["wait"].get<double>();
     if (step.contains("expect") || step.contains("until")) {
         const bool now = step.contains("expect");
+        const bool measured = step.contains("measure");
+        if (measured && moved++ == 0) start_measure(state);
         const std::string words = complaint(step[now ? "expect" : "until"], state);
+        if (measured && words.empty()) end_measure(step["measure"], state);
         if (words.empty()) return true;
         if (!now && elapsed < step.value("seconds", 10.0)) return false;
         report["failures"].push_back({{"step", step}, {"what", words}});
@@ -312,6 +316,8 @@ void Replay::Impl::start_measure(const json& state) {
     photons_before = state["photons"];
     processor_before = processor_seconds();
     frame_ms.clear();
+    bare_frames = 0;
+    longest_turn_ms = 0;
 }
 
 void Replay::Impl::end_measure(const std::string& name, const json& state) {
@@ -321,6 +327,9 @@ void Replay::Impl::end_measure(const std::string& name, const json& state) {
         {"frames", frames - measured_frames},
         {"frames_per_second", static_cast<double>(frames - measured_frames) / elapsed},
         {"frame_ms", median(frame_ms)},
+        {"longest_frame_ms", frame_ms.empty() ? 0.0 : *std::max_element(frame_ms.begin(), frame_ms.end())},
+        {"longest_turn_ms", longest_turn_ms},
+        {"bare_frames", bare_frames},
         {"photons_per_second", (state["photons"].get<double>() - static_cast<double>(photons_before)) / elapsed},
         {"processor_share", (processor_seconds() - processor_before) / elapsed},
         {"state", state}};
@@ -372,6 +381,7 @@ void Replay::presented(double frame_ms, const Stage& stage) {
     Impl& play = *impl_;
     ++play.frames;
     play.frame_ms.push_back(frame_ms);
+    if (state["bare"].get<bool>()) ++play.bare_frames;
     if (!play.report.contains("first_picture_ms") && state["bins"].get<bool>())
         play.report["first_picture_ms"] = state["milliseconds"];
     if (!play.asked) return;
@@ -388,6 +398,10 @@ void Replay::presented(double frame_ms, const Stage& stage) {
         play.report["failures"].push_back({{"step", event["step"]}, {"what", "it was not answered by the next frame"}});
     }
     play.asked.reset();
+}
+
+void Replay::turned(double turn_ms) {
+    impl_->longest_turn_ms = std::max(impl_->longest_turn_ms, turn_ms);
 }
 
 std::string step_of(const InputEvent& event, double seconds, glm::vec2 picture_size) {

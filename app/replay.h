@@ -39,7 +39,7 @@ struct Stage {
 ///   {"event": {...}}                                     as --record writes it
 ///   {"wait": seconds}  {"until": {"stale": false}, "seconds": 10}   compared as in expect
 ///   {"expect": {"map": "dolp", "photons": {">": 1e6}, "complaint": {"not": ""}}}   a failure if it is not so
-///   {"measure": "name", "seconds": 3}                    frames, photons, processor time meanwhile
+///   {"measure": "name", "seconds": 3}                    frames, photons, processor time meanwhile; "until" can, too
 /// Places are shares of the picture, from its upper left.
 class Replay {
   public:
@@ -51,6 +51,9 @@ class Replay {
     bool advance(Stage& stage);
     /// To be called with every frame that reaches the screen; `frame_ms`: milliseconds it took to draw.
     void presented(double frame_ms, const Stage& stage);
+    /// To be called with the milliseconds of every turn of the window's loop, its sleep not counted: so long can input
+    /// have had to wait.
+    void turned(double turn_ms);
     /// Seconds that the window may sleep without missing what is due.
     double patience() const;
     bool failed() const;

@@ -57,6 +57,7 @@ Stage Viewer::make_stage() {
             {"hidden", hidden_},
             {"moving", moving()},
             {"half", resolution_.half()},
+            {"bare", !canvas_.gathered() && !canvas_.picture().shows_glimpse()},
             {"generation", session_.generation()},
             {"stale", session_.stale() || bins_generation_ != session_.generation()},
             {"bins", canvas_.picture().bins() != nullptr},

@@ -11,7 +11,8 @@ namespace brewster {
 namespace {
 
 constexpr double good_error = 0.15;      // of a picture that takes the old one's place
-constexpr double longest_stale = 0.1;    // seconds; then whatever there is does
+constexpr double longest_stale = 0.08;   // seconds; then whatever there is does, and is on the screen at about 0.1
+constexpr double at_once = 0.15;         // seconds
 constexpr std::size_t most_steps = 100;  // that undo remembers
 
 }  // namespace
@@ -23,34 +24,69 @@ Session::Session(std::shared_ptr<const Scene> scene, const EngineSettings& setti
 
 Session::~Session() = default;
 
+// Whatever was traced before is nobody's wish.
 void Session::begin_generation(std::unique_ptr<Engine> engine) {
-    // What the old one would trace from now on is nobody's wish; let the new one have the processor.
+    ++generation_;
     retire(std::exchange(engine_, nullptr));
-    ready_ = false;
-    changed_at_ = seconds_now();
-    replaced_after_ms_.reset();
+    ready_ = offered_ = false;
+    begun_at_ = answered_at_ = seconds_now();
     trouble_.clear();
-    wanted_ = !engine;
-    if (engine) {
-        if (making_.valid()) retire(making_.get().engine);
-        engine_ = std::move(engine);
+    discard_ = making_.valid();
+    if (!engine) {
+        if (!discard_) make();
         return;
     }
-    if (!making_.valid()) make();
+    engine_ = std::move(engine);
+    traced_generation_ = generation_;
+    traced_scene_ = now_.scene;
+}
+
+void Session::begin_change() {
+    if (!stale()) answered_at_ = seconds_now();
+    ++generation_;
+    if (free_for_change()) make();
+}
+
+// What is on its way shows light first: otherwise there would be none as long as changes keep coming.
+bool Session::free_for_change() const {
+    return !making_.valid() && (!engine_ || paused_ || offered_);
 }
 
 void Session::make() {
-    wanted_ = false;
+    // What the old engine would trace from now on is nobody's wish; let the new one have the processor.
+    retire(std::exchange(engine_, nullptr));
+    ready_ = offered_ = false;
+    begun_at_ = seconds_now();
+    trouble_.clear();
+    traced_generation_ = generation_;
+    traced_scene_ = now_.scene;
     settings_.changes = now_.changes;
-    making_ = std::async(std::launch::async, [scene = now_.scene, settings = settings_] {
+    making_ = std::async(std::launch::async, [scene = now_.scene, settings = settings_, rule = rule_, rest = paused_] {
         Made made;
         try {
             made.engine = std::make_unique<Engine>(scene, settings);
+            if (!rest) {
+                made.engine->start(rule);
+                made.rule = rule;
+            }
         } catch (const std::exception& error) {
             made.trouble = error.what();
         }
         return made;
     });
+}
+
+void Session::take_made() {
+    Made made = making_.get();
+    if (std::exchange(discard_, false)) return retire(std::move(made.engine));
+    engine_ = std::move(made.engine);
+    trouble_ = std::move(made.trouble);
+    if (!engine_)
+        ready_ = true;  // no light: nothing will come
+    else if (paused_)
+        engine_->pause();
+    else if (made.rule != rule_)
+        go_on();
 }
 
 void Session::retire(std::unique_ptr<Engine> engine) {
@@ -66,18 +102,9 @@ void Session::retire(std::unique_ptr<Engine> engine) {
 }
 
 void Session::advance() {
-    if (making_.valid() && making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        Made made = making_.get();
-        if (wanted_) {
-            retire(std::move(made.engine));
-            make();
-        } else {
-            engine_ = std::move(made.engine);
-            trouble_ = std::move(made.trouble);
-            if (engine_ && !paused_) engine_->start(rule_);
-            if (!engine_) ready_ = true;  // no light: nothing will come
-        }
-    }
+    offered_ = ready_;
+    if (making_.valid() && making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take_made();
+    if (traced_generation_ != generation_ && free_for_change()) make();
     if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         saved_ = "";
         try {
@@ -93,18 +120,27 @@ void Session::advance() {
         engine_->wait_for(0);
     } catch (const std::exception& error) {
         trouble_ = error.what();
+        ready_ = true;  // nothing more will come
     }
     if (ready_) return;
     const std::shared_ptr<const Snapshot> bins = engine_->snapshot();
     if (!bins) return;
-    const double waited = seconds_now() - changed_at_;
-    if (bins->relative_error > good_error && waited < longest_stale) return;
+    if (bins->relative_error > good_error && seconds_now() - begun_at_ < longest_stale) return;
     ready_ = true;
-    replaced_after_ms_ = 1000 * waited;
+    answered_at_ = seconds_now();
+}
+
+std::optional<Session::Traced> Session::traced() const {
+    if (!ready_) return {};
+    return Traced{traced_scene_, traced_generation_, engine_ ? engine_->snapshot() : nullptr};
 }
 
 std::shared_ptr<const Snapshot> Session::snapshot() const {
-    return ready_ && engine_ ? engine_->snapshot() : nullptr;
+    return engine_ && !stale() ? engine_->snapshot() : nullptr;
+}
+
+bool Session::overdue() const {
+    return stale() && seconds_now() - answered_at_ > at_once;
 }
 
 void Session::change(std::shared_ptr<const Scene> changed, const Setting& setting, bool new_step) {
@@ -117,8 +153,7 @@ void Session::change(std::shared_ptr<const Scene> changed, const Setting& settin
     const std::string owner = setting_text({setting.owner, setting.property, ""});
     if (!now_.changes.empty() && now_.changes.back().starts_with(owner)) now_.changes.pop_back();
     now_.changes.push_back(setting_text(setting));
-    ++generation_;
-    begin_generation();
+    begin_change();
 }
 
 void Session::undo() {
@@ -133,8 +168,7 @@ void Session::take_step(std::vector<Version>& from, std::vector<Version>& to) {
     if (from.empty()) return;
     to.push_back(std::exchange(now_, from.back()));
     from.pop_back();
-    ++generation_;
-    begin_generation();
+    begin_change();
 }
 
 void Session::open(std::shared_ptr<const Scene> scene, std::vector<std::string> changes,
@@ -143,12 +177,10 @@ void Session::open(std::shared_ptr<const Scene> scene, std::vector<std::string> 
     undone_.clear();
     now_ = {std::move(scene), std::move(changes)};
     paused_ = engine != nullptr;  // what was kept is looked at before more is traced
-    ++generation_;
     begin_generation(std::move(engine));
 }
 
 void Session::restart() {
-    ++generation_;
     begin_generation();
 }
 
@@ -175,8 +207,10 @@ void Session::set_target_error(std::optional<double> error) {
 
 void Session::save(const std::string& path) {
     if (!engine_ || saving()) return;
-    engine_->pause();
-    saving_ = std::async(std::launch::async, [engine = engine_.get(), path] { engine->save(path); }).share();
+    saving_ = std::async(std::launch::async, [engine = engine_.get(), path] {
+                  engine->pause();
+                  engine->save(path);
+              }).share();
 }
 
 std::optional<std::string> Session::take_saved() {

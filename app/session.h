@@ -13,24 +13,34 @@
 namespace brewster {
 
 /// A scene that is looked at, with the engine that traces it, and all the scenes it was before. A change of the scene
-/// starts a new generation: an engine of its own, made beside the window. Of changes that come while one is being made
-/// only the last counts. For the window's thread; never blocks it but for a moment.
+/// starts a new generation: an engine of its own, made beside the window. Of changes that come before it has shown light
+/// only the last counts, and is traced next: while a slider is dragged, picture follows picture. For the window's
+/// thread; never blocks it but for a moment.
 class Session {
   public:
     Session(std::shared_ptr<const Scene> scene, const EngineSettings& settings, const StopRule& rule);
     ~Session();
 
     const std::shared_ptr<const Scene>& scene() const { return now_.scene; }  ///< as changed last
-    Engine* engine() const { return engine_.get(); }  ///< null while the first is made, or where no lamp gives light
+    Engine* engine() const { return engine_.get(); }  ///< null while one is made, or where no lamp gives light
     /// Grows with every change of the scene and every restart.
     std::uint64_t generation() const { return generation_; }
-    /// The bins of the present generation, or null before its first that are good enough to be shown: an estimated error
-    /// below 15 %, or all there is 100 ms after the change.
+
+    /// The generation whose light is to be shown. While the newest has none yet that is one before it, or none.
+    struct Traced {
+        std::shared_ptr<const Scene> scene;
+        std::uint64_t generation = 0;
+        std::shared_ptr<const Snapshot> bins;  ///< null where no lamp gives light
+    };
+    /// Good enough to be shown: an estimated error below 15 %, or all there is so soon after the change that it stands
+    /// on the screen after about 100 ms.
+    std::optional<Traced> traced() const;
+    /// The bins of the present generation, or null before its first that are to be shown.
     std::shared_ptr<const Snapshot> snapshot() const;
-    /// What is shown belongs to a scene that is no longer.
-    bool stale() const { return !ready_; }
-    /// Milliseconds from the last change to the first bins to show; none yet.
-    std::optional<double> replaced_after_ms() const { return replaced_after_ms_; }
+    /// No light of the present generation is there to be shown.
+    bool stale() const { return !ready_ || traced_generation_ != generation_; }
+    /// It has been so for longer than a person takes for at once.
+    bool overdue() const;
 
     /// Looks whether a new engine or its first bins are there.
     void advance();
@@ -64,6 +74,7 @@ class Session {
   private:
     struct Made {
         std::unique_ptr<Engine> engine;
+        std::optional<StopRule> rule;  ///< that it was started with; none: it was not
         std::string trouble;
     };
 
@@ -74,24 +85,31 @@ class Session {
     };
 
     void begin_generation(std::unique_ptr<Engine> engine = nullptr);
+    void begin_change();
     void take_step(std::vector<Version>& from, std::vector<Version>& to);
     void go_on();
+    bool free_for_change() const;
     void make();
+    void take_made();
     void retire(std::unique_ptr<Engine> engine);
 
     Version now_;
     EngineSettings settings_;
     StopRule rule_;
     std::unique_ptr<Engine> engine_;
-    std::uint64_t generation_ = 1;
+    std::shared_ptr<const Scene> traced_scene_;
+    std::uint64_t generation_ = 0, traced_generation_ = 0;
     std::future<Made> making_;
+    bool discard_ = false;  ///< what is being made
     std::vector<std::future<void>> retiring_;
     std::vector<Version> done_, undone_;
     std::shared_future<void> saving_;
     std::optional<std::string> saved_;
-    bool paused_ = false, ready_ = false, wanted_ = false;
-    double changed_at_ = 0;
-    std::optional<double> replaced_after_ms_;
+    bool paused_ = false;
+    bool ready_ = false;      ///< there is light to show of what is traced
+    bool offered_ = false;    ///< for one turn at least
+    double begun_at_ = 0;     ///< what is traced
+    double answered_at_ = 0;  ///< when light was as it should be for the last time, or newer than before
     std::string trouble_;
 };
 

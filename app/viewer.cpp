@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 #include "app/clock.h"
@@ -29,7 +31,8 @@ constexpr double seconds_between_snapshots = 0.5;
 constexpr int draws_before_change = 8;
 /// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as
 /// long is left to them before the next.
-constexpr double slow_frame = 0.02;  // seconds
+constexpr double slow_frame = 0.02;                         // seconds
+constexpr double slow_present = 0.005, longest_nap = 0.02;  // seconds
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
 constexpr float wheel_radius = 58;  // pixels at scale 1
 
@@ -72,6 +75,7 @@ Viewer::Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOpt
                                      const std::string& present) { return read_file(path, present, options); }),
       session_(scene, with_changes(beside_a_window(options.engine), options.settings), options.stop),
       scene_(scene),
+      surfaces_(scene),
       rays_(std::make_unique<Rays>(*scene)),
       canvas_(scene),
       navigation_([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene->radius()),
@@ -100,8 +104,11 @@ Viewer::~Viewer() {
 }
 
 bool Viewer::run() {
+    double turn_begin = seconds_now();
     while (!quit_ && !window_.close_requested()) {
+        if (replay_) replay_->turned(1000 * (seconds_now() - turn_begin));
         wait();
+        turn_begin = seconds_now();
         if (replay_ && !replay_->advance(stage_)) break;
         overlay_.set_style(preferences_.text_scale, preferences_.light);
         const Sight before = view_;
@@ -146,7 +153,8 @@ void Viewer::wait() {
 // Seconds until something is to be done, if no event comes before.
 double Viewer::patience() const {
     if (hidden_) return seconds_between_presents;
-    if (must_present_ || widget_frames_ > 0 || moving() || navigation_.flying() || !canvas_.picture().uploaded())
+    if (must_present_ || widget_frames_ > 0 || moving() || navigation_.flying() || !canvas_.picture().uploaded() ||
+        canvas_.arriving())
         return 0;
     if (drawing_wanted()) return pause_;
     if (taken_) return taken_->of_rays() ? 0.05 : 0;
@@ -159,9 +167,22 @@ bool Viewer::moving() const {
     return seconds_now() - last_motion_ < rest_after;
 }
 
+// New light has just come, and more of it is about to.
+bool Viewer::fresh() const {
+    return seconds_now() - bins_since_ < rest_after;
+}
+
+int Viewer::shrinking() const {
+    if (moving() || fresh()) return resolution_.half() ? 2 : 1;
+    return session_.stale() ? shrinking_ : 1;  // another would be drawn anew
+}
+
 bool Viewer::drawing_wanted() const {
     const Picture& picture = canvas_.picture();
-    const int wanted = !picture.bins() ? 1 : view_.of_rays() ? draws_before_change : Picture::full_draws;
+    // Light that is about to be replaced is not worth improving.
+    const int wanted = !picture.bins() || session_.stale() ? 1
+                       : view_.of_rays()                   ? draws_before_change
+                                                           : Picture::full_draws;
     return picture.draws(Canvas::needed(view_, comparing_)) < wanted;
 }
 
@@ -193,7 +214,7 @@ void Viewer::take_file() {
     std::vector<std::string> changes =
         saved ? outcome->engine->settings().changes : with_changes({}, settings_).changes;
     session_.open(outcome->scene, std::move(changes), std::move(outcome->engine));
-    set_scene(outcome->scene, false);
+    set_scene(outcome->scene, session_.generation(), false);
     shown_.files = false;
     if (saved) return notice(outcome->path + " was taken up where it was saved; Space traces on");
     const std::string path = std::filesystem::absolute(outcome->path).string();
@@ -209,13 +230,14 @@ void Viewer::take_file() {
     exposure_settled_ = false;
 }
 
-void Viewer::set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces) {
+void Viewer::set_scene(std::shared_ptr<const Scene> scene, std::uint64_t generation, bool same_surfaces) {
     gatherer_.stop();
     if (same_surfaces) {
         canvas_.repaint(scene);
     } else {
         canvas_.open(scene);
         rays_ = std::make_unique<Rays>(*scene);
+        surfaces_ = scene;
         navigation_ =
             Navigation([this](const Camera& camera, glm::vec2 place) { return seen(camera, place); }, scene->radius());
         region_.reset();
@@ -224,30 +246,44 @@ void Viewer::set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces) {
     }
     scene_ = std::move(scene);
     glimpse_.open(scene_);
-    shown_generation_ = session_.generation();
+    shown_generation_ = generation;
     must_present_ = true;
 }
 
+// The old picture stays until there is new light, or for so long that a person waits: then what is known of the new
+// scene without light is shown.
+void Viewer::follow_session() {
+    const auto follow = [&](const std::shared_ptr<const Scene>& scene, std::uint64_t generation) {
+        if (shown_generation_ != generation) set_scene(scene, generation, true);
+    };
+    if (const std::optional<Session::Traced> traced = session_.traced())
+        follow(traced->scene, traced->generation);
+    else if (session_.overdue())
+        follow(session_.scene(), session_.generation());
+}
+
 void Viewer::take_bins() {
-    if (session_.generation() != shown_generation_) set_scene(session_.scene(), true);
+    follow_session();
+    const std::optional<Session::Traced> traced = session_.traced();
     Picture& picture = canvas_.picture();
-    const bool first = !picture.bins();
     const Rendition wanted = Canvas::needed(view_, comparing_);
-    const bool replaced = session_.generation() != bins_generation_;
+    const bool replaced = traced && traced->bins && traced->generation != sent_generation_;
     // What rays show does not wait for bins; they are taken up again with the first motion.
     const bool idle = canvas_.gathered() && !replaced && !moving();
-    if (first || replaced || moving() || (!idle && picture.draws(wanted) >= draws_before_change)) {
-        if (std::shared_ptr<const Snapshot> bins = session_.snapshot()) {
-            picture.show(std::move(bins));
-            if (replaced) {
-                must_present_ = true;
-                bins_since_ = seconds_now();
-            }
-            bins_generation_ = session_.generation();
+    if (!picture.bins() || replaced || moving() || (!idle && picture.draws(wanted) >= draws_before_change)) {
+        if (traced && traced->bins) {
+            picture.show(traced->bins);
+            sent_generation_ = traced->generation;
         }
     }
     if (picture.uploaded() || !picture.upload(Picture::frame_bytes)) return;
-    draws_to_present_ = first || replaced || moving() ? 1 : draws_before_change;
+    draws_to_present_ = moving() ? 1 : draws_before_change;
+    if (bins_generation_ != sent_generation_) {
+        bins_generation_ = sent_generation_;
+        bins_since_ = seconds_now();
+        draws_to_present_ = 1;
+        must_present_ = true;
+    }
     improved_ = true;
     if (exposure_settled_) return;
     view_.rendition.exposure = picture.exposure_of(scene_->cameras.front());
@@ -255,7 +291,7 @@ void Viewer::take_bins() {
 }
 
 Desk Viewer::desk() {
-    Desk desk{.scene = *scene_,
+    Desk desk{.scene = *session_.scene(),
               .session = session_,
               .progress = {},
               .frame_ms = 1000 * frame_seconds_,
@@ -332,9 +368,13 @@ void Viewer::look_around_pointer() {
 void Viewer::gather_at_rest() {
     const glm::ivec2 size = picture_size();
     const bool fits = canvas_.gathered() && canvas_.gathered()->width == size.x && canvas_.gathered()->height == size.y;
-    if (canvas_.gathered() && (!fits || !view_.of_rays())) {
+    if (!view_.of_rays() || (canvas_.gathered() && !fits)) {
+        if (canvas_.gathered()) must_present_ = true;
         canvas_.show_bins();
-        must_present_ = true;
+    }
+    if (canvas_.upload_gathered(Picture::frame_bytes)) {
+        improved_ = true;
+        draws_to_present_ = 1;
     }
     const bool still = seconds_now() - last_motion_ >= gather_after && !navigation_.dragging();
     // At first photons double faster than rays could follow.
@@ -344,20 +384,17 @@ void Viewer::gather_at_rest() {
     if (!view_.of_rays() || !still || !ripe || taken_ || !bins || bins_generation_ != session_.generation())
         return gatherer_.stop();
     gatherer_.want(scene_, bins, view_.camera, size.x, size.y);
-    if (std::optional<GatheredPicture> gathered = gatherer_.take()) {
+    if (std::optional<GatheredPicture> gathered = gatherer_.take())
         canvas_.show_gathered(std::move(gathered->light), gathered->photons);
-        improved_ = true;
-        draws_to_present_ = 1;
-    }
 }
 
 void Viewer::draw() {
     const double begin = frame_begin_ = seconds_now();
     const bool in_motion = moving();
     const glm::ivec2 size = picture_size();
-    const int shrink = in_motion && resolution_.half() ? 2 : 1;
+    shrinking_ = shrinking();
     Picture& picture = canvas_.picture();
-    picture.look(view_.camera, (size.x + shrink - 1) / shrink, (size.y + shrink - 1) / shrink);
+    picture.look(view_.camera, (size.x + shrinking_ - 1) / shrinking_, (size.y + shrinking_ - 1) / shrinking_);
     if (!view_.of_rays() || !picture.bins())
         glimpse_.clear(picture);
     else if (!canvas_.gathered())
@@ -378,10 +415,11 @@ void Viewer::draw() {
     }
     const double took = seconds_now() - begin;
     pause_ = !in_motion && drawn && took > slow_frame ? 3 * took : 0;
-    if (in_motion && drawn) {
-        if (!keeps_resolution_) resolution_.frame_took(took);
-        frame_seconds_ = took;
-    }
+    if (drawn && !keeps_resolution_) resolution_.frame_took(took);
+    if (in_motion && drawn) frame_seconds_ = took;
+    // Frames of sliders could follow each other without a pause; photons that are waited for need one.
+    if (session_.stale() && !in_motion && took > slow_present)
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::min(took, longest_nap)));
 }
 
 void Viewer::present() {
@@ -390,10 +428,10 @@ void Viewer::present() {
     const glm::ivec2 whole = window_.framebuffer_size(), size = picture_size();
     Screen::window(whole.x, whole.y).bind();
     look_around_pointer();
-    Caption caption{scene_->name, view_.camera.name, "", true, session_.stale() && canvas_.picture().bins()};
+    Caption caption{scene_->name, view_.camera.name, "", true, session_.overdue() && canvas_.picture().bins()};
     if (is_moved(view_.camera, *scene_)) caption.camera += moved_mark;
     if (caption.dimmed)
-        caption.status = "stale: the change is being traced";
+        caption.status = session_.paused() ? "paused: Space traces the change" : "the change is being traced";
     else if (!session_.trouble().empty())
         caption.status = session_.trouble();
     else if (shown_.notice_until > seconds_now())

@@ -63,10 +63,13 @@ class Viewer {
     void advance_taken_picture();
     void save_solution(const std::string& path);
     void take_saved_solution();
-    void set_scene(std::shared_ptr<const Scene> scene, bool same_surfaces);
+    void set_scene(std::shared_ptr<const Scene> scene, std::uint64_t generation, bool same_surfaces);
+    void follow_session();
     void wait();
     double patience() const;
     bool moving() const;
+    bool fresh() const;
+    int shrinking() const;
     bool drawing_wanted() const;
     glm::ivec2 picture_size() const;
     Desk desk();
@@ -82,6 +85,7 @@ class Viewer {
     SceneFile file_;
     Session session_;
     std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const Scene> surfaces_;  ///< the scene that the rays know
     std::unique_ptr<Rays> rays_;
     Canvas canvas_;
     Gatherer gatherer_;
@@ -113,11 +117,13 @@ class Viewer {
 
     std::uint64_t shown_generation_ = 0;  ///< whose materials are shown
     std::uint64_t bins_generation_ = 0;   ///< whose light
+    std::uint64_t sent_generation_ = 0;   ///< whose light is on its way to the graphics side, or there
     bool keeps_resolution_ = false;       ///< of moving pictures, for measuring
     bool must_present_ = true, improved_ = false, hidden_ = false;
     int draws_to_present_ = 1;
-    int widget_frames_ = 2;  ///< frames that widgets still want, to answer what was done
-    double bins_since_ = 0;  ///< when the first bins of the generation came
+    int widget_frames_ = 2;     ///< frames that widgets still want, to answer what was done
+    int shrinking_ = 1;         ///< of each side of what is drawn
+    double bins_since_ = -1e9;  ///< when the first bins of the generation came
     double last_motion_ = -1e9, last_present_ = -1e9, last_look_at_file_ = 0, last_step_ = 0, last_press_ = -1e9;
     glm::vec2 last_press_place_{0.0f};
     double frame_seconds_ = 0, frame_begin_ = 0, pause_ = 0;

@@ -56,6 +56,7 @@ class Picture {
     void show_glimpse(int width, int height, const std::vector<std::uint32_t>& chart,
                       const std::array<std::vector<glm::vec3>, plane_count>& light);
     void clear_glimpse();
+    bool shows_glimpse() const { return glimpse_.shows(); }
 
     /// Adds draws of what the rendition looks at: one world, both, or the cells; each has a mean of its own, so that going
     /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the

@@ -34,6 +34,8 @@ struct StopRule {
     std::optional<std::uint64_t> photons;
     std::optional<double> seconds;       ///< of tracing, pauses not counted
     std::optional<double> target_error;  ///< area-weighted rms of the relative standard error
+
+    bool operator==(const StopRule&) const = default;
 };
 
 /// Numbers for people and reports; all of the same moment.

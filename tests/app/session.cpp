@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <string>
 #include <thread>
 
 #include "app/settings.h"
@@ -49,7 +51,6 @@ TEST_F(SessionTest, ChangesStartNewGenerationsAndUndoTakesThemBack) {
     EXPECT_EQ(session.snapshot(), nullptr);
     wait_for_light(session);
     EXPECT_NE(session.snapshot(), before);
-    EXPECT_TRUE(session.replaced_after_ms().has_value());
     EXPECT_EQ(&session.engine()->scene(), session.scene().get());
 
     session.undo();
@@ -69,6 +70,27 @@ TEST_F(SessionTest, ADragIsOneStepAndOnlyItsLastSceneIsTraced) {
     EXPECT_EQ(&session.engine()->scene(), session.scene().get());
     session.undo();
     EXPECT_EQ(session.scene(), room_);
+}
+
+TEST_F(SessionTest, WhileChangesKeepComingLightDoesToo) {
+    Session session(room_, settings_, rule_);
+    wait_for_light(session);
+    std::uint64_t shown = session.generation(), pictures = 0;
+    for (int i = 0; i < 2000 && pictures < 3; ++i) {
+        change(session, ("red.albedo=" + std::to_string(0.1 + 1e-4 * i)).c_str(), i == 0);
+        session.advance();
+        if (const auto traced = session.traced()) {
+            EXPECT_EQ(traced->scene == session.scene(), traced->generation == session.generation());
+            if (traced->generation > shown && traced->bins) ++pictures;
+            shown = std::max(shown, traced->generation);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_EQ(pictures, 3u);
+    EXPECT_TRUE(session.stale());
+    wait_for_light(session);
+    EXPECT_EQ(session.traced()->scene, session.scene());
+    EXPECT_FALSE(session.overdue());
 }
 
 TEST_F(SessionTest, DarkScenesSaySoAndCanBeLitAgain) {

@@ -327,6 +327,24 @@ TEST_F(MapsTest, ShaderAndProcessorAgree) {
     }
 }
 
+// The old picture stays until the new one is there altogether.
+TEST_F(MapsTest, APictureThatComesInPartsIsTheSame) {
+    Rendition dolp;
+    dolp.map = Map::dolp;
+    const ScreenImage whole = shown(dolp);
+    StokesPicture other = picture_;
+    for (glm::vec3& pixel : other.of(Plane::s1)) pixel = -0.5f * pixel;
+    light_.upload(other);
+    const ScreenImage before = shown(dolp);
+    ASSERT_NE(before.rgba, whole.rgba);
+    constexpr std::size_t five_rows = 5 * side * sizeof(glm::vec3);
+    light_.begin();
+    int parts = 1;
+    for (; !light_.advance(picture_, five_rows); ++parts) ASSERT_EQ(shown(dolp).rgba, before.rgba) << parts;
+    EXPECT_EQ(parts, (9 * side + 4) / 5);
+    EXPECT_EQ(shown(dolp).rgba, whole.rgba);
+}
+
 TEST_F(MapsTest, WorldsAreChosenByTheRendition) {
     Rendition rendition;
     const ScreenImage on = shown(rendition);
