@@ -36,7 +36,9 @@ void set_colours(bool light) {
     style.Colors[ImGuiCol_WindowBg].w = 0.94f;
     // Blue-orange, like the maps: what is chosen is blue, what is held is orange.
     const ImVec4 blue(0.20f, 0.45f, 0.75f, 1.0f), pale(0.20f, 0.45f, 0.75f, 0.35f), orange(0.90f, 0.50f, 0.15f, 1.0f);
-    style.Colors[ImGuiCol_CheckMark] = style.Colors[ImGuiCol_SliderGrab] = light ? blue : ImVec4(0.45f, 0.70f, 1, 1);
+    style.Colors[ImGuiCol_CheckMark] = light ? blue : ImVec4(0.45f, 0.70f, 1, 1);
+    // The number of a slider stands on it.
+    style.Colors[ImGuiCol_SliderGrab] = light ? ImVec4(0.55f, 0.73f, 0.95f, 1) : ImVec4(0.22f, 0.45f, 0.75f, 1);
     style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_ButtonActive] = orange;
     style.Colors[ImGuiCol_Header] = style.Colors[ImGuiCol_Button] = pale;
     style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = ImVec4(0.20f, 0.45f, 0.75f, 0.6f);

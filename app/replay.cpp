@@ -381,7 +381,7 @@ void Replay::presented(double frame_ms, const Stage& stage) {
     Impl& play = *impl_;
     ++play.frames;
     play.frame_ms.push_back(frame_ms);
-    if (state["bare"].get<bool>()) ++play.bare_frames;
+    if (state.value("bare", false)) ++play.bare_frames;
     if (!play.report.contains("first_picture_ms") && state["bins"].get<bool>())
         play.report["first_picture_ms"] = state["milliseconds"];
     if (!play.asked) return;

@@ -95,6 +95,7 @@ Viewer::Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOpt
         preferences_.first_run = false;
         written_preferences_ = preferences_;
     }
+    if (!options.scene.empty()) preferences_.folder = std::filesystem::absolute(options.scene).parent_path().string();
     if (!options.record.empty()) record_.open(options.record);
 }
 

@@ -45,7 +45,8 @@ uniform sampler2D glimpse_s3;
 uniform vec2 glimpse_scale;
 
 // The light of the nearest texels whose rays have met this chart; false where none has. One ray is known to within its
-// own light.
+// own light, but how polarized it is varies little over the lobe that it was drawn from, and is taken for known to an
+// eighth: otherwise a moving picture of degrees would be masked altogether.
 bool take_glimpse() {
     vec2 place = gl_FragCoord.xy * glimpse_scale - 0.5;
     ivec2 low = ivec2(floor(place)), last = textureSize(glimpse_charts, 0) - 1;
@@ -79,8 +80,8 @@ bool take_glimpse() {
     s1 /= sum;
     s2 /= sum;
     s3 /= sum;
-    variance_linear = max(s1 * s1, s2 * s2);
-    variance_s3 = s3 * s3;
+    variance_linear = max(s1 * s1, s2 * s2) / 64.0;
+    variance_s3 = s3 * s3 / 64.0;
 #endif
     return true;
 }

@@ -24,7 +24,7 @@ void help_window(Desk& desk) {
     if (!desk.shown.help) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(760 * desk.scale, 0.95f * size.x), std::min(660 * desk.scale, 0.95f * size.y)},
+    ImGui::SetNextWindowSize({std::min(860 * desk.scale, 0.95f * size.x), std::min(780 * desk.scale, 0.95f * size.y)},
                              ImGuiCond_Appearing);
     if (ImGui::Begin("help", &desk.shown.help, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
         if (ImGui::BeginTable("keys and mouse", 2)) {
@@ -50,8 +50,7 @@ void help_window(Desk& desk) {
         }
         ImGui::TextWrapped(
             "Sliders: Ctrl+click to type a number; Tab goes on while a panel has the keyboard. Angles are from the "
-            "picture's "
-            "horizontal, counter-clockwise as the camera looks; right circular light has S3 > 0.");
+            "picture's horizontal, counter-clockwise as the camera looks; right circular light has S3 > 0.");
     }
     ImGui::End();
 }
@@ -60,7 +59,8 @@ void first_run_card(Desk& desk) {
     if (!desk.preferences.first_run) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({16 * desk.scale, 44 * desk.scale});
-    ImGui::SetNextWindowSize({std::min(420 * desk.scale, 0.95f * size.x), 0});
+    const auto column = static_cast<float>(column_width(desk.preferences.panels, desk.scale, static_cast<int>(size.x)));
+    ImGui::SetNextWindowSize({std::min(420 * desk.scale, size.x - column - 32 * desk.scale), 0});
     ImGui::Begin("welcome", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove);
     ImGui::TextWrapped("Drag to look around, wheel to come nearer.");
