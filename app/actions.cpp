@@ -125,6 +125,8 @@ std::string Viewer::words() const {
 }
 
 void Viewer::go_to_words(const std::string& text) {
+    if (text.find('=') == std::string::npos)
+        return notice("there is no view in the clipboard; Ctrl+C copies this one");
     try {
         const View view = parse_view(text);
         const float near_distance = view_.camera.near_distance;
@@ -144,7 +146,7 @@ void Viewer::go_to_words(const std::string& text) {
             view_.analyzer_angle = view.analyzer->angle;
         }
     } catch (const std::exception& error) {
-        shown_.complaint = std::string("the clipboard holds no view: ") + error.what();
+        shown_.complaint = std::string("the view in the clipboard is none of this scene: ") + error.what();
     }
 }
 

@@ -105,7 +105,7 @@ void inspector_panel(Desk& desk) {
         return;
     }
     const SeenLight& light = *desk.light;
-    if (desk.region) ImGui::TextUnformatted("mean over the rectangle (Esc: back to the pointer)");
+    if (desk.region) ImGui::TextUnformatted("mean of the rectangle; Esc ends it");
     stokes_table(light);
     const double floor = light.dolp_floor();
     ImGui::Text("%.4g cd/m\u00b2", light.luminance());

@@ -32,8 +32,11 @@ void progress_panel(Desk& desk) {
     ImGui::Text("error %.2g %%   %s cells   %sB", 100 * progress.relative_error,
                 with_magnitude(static_cast<double>(progress.leaves + progress.gloss_leaves)).c_str(),
                 with_magnitude(static_cast<double>(progress.bytes)).c_str());
-    ImGui::Text("frame %.1f ms   picture: %.0f samples%s", desk.frame_ms, desk.samples,
-                desk.gathered ? ", gathered" : "");
+    ImGui::Text("picture: %.0f samples%s", desk.samples, desk.gathered ? ", gathered" : "");
+    if (desk.frame_ms > 0) {
+        ImGui::SameLine();
+        ImGui::Text("  frame %.0f ms", desk.frame_ms);
+    }
     if (ImGui::Button(desk.session.paused() ? "go on (Space)" : "pause (Space)")) desk.act(Action::pause, 0);
     ImGui::SameLine();
     if (ImGui::Button("restart (Ctrl+R)")) desk.act(Action::restart, 0);
