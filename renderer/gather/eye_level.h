@@ -12,10 +12,13 @@
 namespace brewster {
 
 inline constexpr std::size_t eye_batch = 512;  ///< draws that go through the stages together
+/// Rays at one depth: a draw's path parts once at most. A little more, so that rows do not all fall on the same few sets
+/// of a cache.
+inline constexpr std::size_t most_rays = 2 * eye_batch + 16;
 
 /// So many floats for each ray of a batch, structure of arrays.
 template <std::size_t rows>
-using Rows = std::array<std::array<float, eye_batch>, rows>;
+using Rows = std::array<std::array<float, most_rays>, rows>;
 
 template <class Real>
 Vector<Real> load_vector(const Rows<3>& rows, std::size_t i) {
@@ -42,8 +45,8 @@ inline WordLanes entries_of(const std::uint32_t* row, WordLanes index) {
 inline std::uint32_t entries_of(const std::uint32_t* row, std::uint32_t index) {
     return row[index];
 }
-template <class Real>
-Real entries_of(const std::array<float, eye_batch>& row, const Word<Real>& index) {
+template <class Real, std::size_t size>
+Real entries_of(const std::array<float, size>& row, const Word<Real>& index) {
     return floats_of(entries_of(reinterpret_cast<const std::uint32_t*>(row.data()), index));
 }
 inline Vector<float> eye_vector(const glm::vec3& v) {
@@ -61,7 +64,9 @@ struct Segment {
     float throughput = 1;      ///< at most this share of its light reaches the camera
     std::uint32_t draw = 0;    ///< in the batch
     std::uint32_t parent = 0;  ///< in the level before; at first the draw
+    std::uint8_t way = 0;      ///< of the parent's: first or second
     std::uint8_t rough = 0, sharp = 0;  ///< events so far
+    bool parted = false;                ///< the draw has another ray as well
 };
 
 /// Light along the rays of a level, cd/m2, both worlds, in the frames of the rays' axes; and standard errors that the
@@ -72,7 +77,7 @@ struct LevelLight {
     Rows<3> error;                        ///< of S0
     Rows<3> polarized_error;              ///< of each of S1, S2, S3
     Rows<3> unpolarized_error;            ///< of the other world's S0
-    std::array<float, eye_batch> coarse;  ///< band mean of the unpolarized world's light that came from bins of gloss
+    std::array<float, most_rays> coarse;  ///< band mean of the unpolarized world's light that came from bins of gloss
 
     void clear(std::size_t size);
 };
@@ -90,24 +95,28 @@ struct Level {
     std::uint32_t size = 0;
     std::vector<Group> groups;
 
-    std::array<std::uint32_t, eye_batch> parent, draw, chart, triangle, u, v;
-    std::array<std::uint8_t, eye_batch> sharp_events;
-    std::array<float, eye_batch> rough_events, throughput;
-    std::array<float, eye_batch> reads_direct;  ///< 1 where the bins tell direct light, too; 0 where shadow rays do
+    std::array<std::uint32_t, most_rays> parent, draw, chart, triangle, u, v;
+    std::array<std::uint32_t, most_rays> parent_way;  ///< of the parent's rows of ways
+    std::array<std::uint8_t, most_rays> sharp_events;
+    std::array<float, most_rays> eagerness;  ///< to follow both ways at glass (Draw); 0 where the path may not part
+    std::array<float, most_rays> rough_events, throughput;
+    std::array<float, most_rays> reads_direct;  ///< 1 where the bins tell direct light, too; 0 where shadow rays do
     Rows<3> direction, axis, position, normal, shading_normal;
     Rows<3> tint;         ///< what the base's light is multiplied by; of coloured scenes only
     Rows<3> filter_axis;  ///< of filter sheets only
 
     LevelLight light;
 
-    // The event that links a ray to the next: light from there meets `event`, then is turned into this ray's frame.
-    std::array<float, eye_batch> turn_cos, turn_sin;
-    Rows<18> event;  ///< six elements of a PlanarMueller for each band
+    // The events that link a ray to the next ones, two ways on at most; the second way of ray i stands at i + most_rays.
+    // Light from there meets `event`, then is turned into this ray's frame.
+    using Ways = std::array<float, 2 * most_rays>;
+    Ways turn_cos, turn_sin;
+    std::array<Ways, 18> event;  ///< six elements of a PlanarMueller for each band
 
     template <class Real>
-    void set_event(std::size_t band, std::size_t i, const PlanarMueller<Real>& m) {
+    void set_event(std::size_t band, std::size_t way, const PlanarMueller<Real>& m) {
         const std::array<Real, 6> elements = {m.m00, m.m01, m.m10, m.m11, m.c, m.d};
-        for (std::size_t k = 0; k < 6; ++k) store(elements[k], &event[6 * band + k][i]);
+        for (std::size_t k = 0; k < 6; ++k) store(elements[k], &event[6 * band + k][way]);
     }
 };
 

@@ -71,7 +71,7 @@ struct EyeTracer::Storage {
     std::array<std::uint32_t, eye_batch> keys, indices;  // of the draws' numbers
     Entered entered;
     LampSamples lamps;
-    Onwards onwards;
+    std::array<Onwards, 2> onwards;
     LevelLight brought;
     EyeStageSeconds seconds{};
     EventNumbers numbers;
@@ -171,6 +171,8 @@ class EyeTracer::Batch {
             const Segment& segment = segments[s_.order[i]];
             const Hit& hit = s_.hits[s_.order[i]];
             level.parent[i] = segment.parent;
+            level.parent_way[i] = segment.parent + segment.way * static_cast<std::uint32_t>(most_rays);
+            level.eagerness[i] = segment.parted || segment.rough > 0 ? 0.0f : draws_[segment.draw].eagerness;
             level.draw[i] = segment.draw;
             level.rough_events[i] = segment.rough;
             level.sharp_events[i] = segment.sharp;
@@ -315,7 +317,7 @@ class EyeTracer::Batch {
     }
 
     void draw_numbers(const Level& level, const Group& group, std::uint32_t dimension,
-                      std::array<float, eye_batch>& first, std::array<float, eye_batch>& second) const {
+                      std::array<float, most_rays>& first, std::array<float, most_rays>& second) const {
         over(group, [&]<class Real>(std::uint32_t i) {
             const Word<Real> draw = load_word<Real>(&level.draw[i]);
             const auto pair =
@@ -382,25 +384,37 @@ class EyeTracer::Batch {
         for (std::uint32_t i = group.first; i < group.end; ++i) {
             if (transparent) {
                 if (level.sharp_events[i] >= most_events_of_glass) continue;
+                const bool both = s_.onwards[0].share[i] > 0 && s_.onwards[1].share[i] > 0;
+                for (std::uint8_t way = 0; way < 2; ++way)
+                    if (Segment* next = next_segment(level, i, way)) next->parted = next->parted || both;
             } else if (ends_in_bins(level, i)) {
                 add_gloss_of_bins<components>(scene_.scene, bins_, level, i);
-                continue;
+            } else {
+                next_segment(level, i, 0);
             }
-            const float throughput = level.throughput[i] * s_.onwards.share[i];
-            if (!(throughput > 0)) continue;
-            Segment next;
-            next.ray = {eye_coordinates(load_vector<float>(level.position, i)),
-                        eye_coordinates(load_vector<float>(s_.onwards.direction, i)), level.triangle[i]};
-            next.axis = load_vector<float>(s_.onwards.axis, i);
-            next.throughput = throughput;
-            next.pdf = s_.onwards.pdf[i];
-            next.draw = level.draw[i];
-            next.parent = i;
-            const bool sharp = s_.onwards.sharp[i] > 0;
-            next.rough = static_cast<std::uint8_t>(static_cast<int>(level.rough_events[i]) + (sharp ? 0 : 1));
-            next.sharp = static_cast<std::uint8_t>(level.sharp_events[i] + (sharp ? 1 : 0));
-            s_.next_segments.push_back(next);
         }
+    }
+
+    // What follows entry i on one of its ways on; none where nothing can come from there. Good until the next call.
+    Segment* next_segment(const Level& level, std::uint32_t i, std::uint8_t way) {
+        const Onwards& onwards = s_.onwards[way];
+        const float throughput = level.throughput[i] * onwards.share[i];
+        if (!(throughput > 0)) return nullptr;
+        Segment next;
+        next.ray = {eye_coordinates(load_vector<float>(level.position, i)),
+                    eye_coordinates(load_vector<float>(onwards.direction, i)), level.triangle[i]};
+        next.axis = load_vector<float>(onwards.axis, i);
+        next.throughput = throughput;
+        next.pdf = onwards.pdf[i];
+        next.draw = level.draw[i];
+        next.parent = i;
+        next.way = way;
+        const bool sharp = onwards.sharp[i] > 0;
+        next.rough = static_cast<std::uint8_t>(static_cast<int>(level.rough_events[i]) + (sharp ? 0 : 1));
+        next.sharp = static_cast<std::uint8_t>(level.sharp_events[i] + (sharp ? 1 : 0));
+        next.parted = level.eagerness[i] == 0;
+        s_.next_segments.push_back(next);
+        return &s_.next_segments.back();
     }
 
     const EyeScene& scene_;

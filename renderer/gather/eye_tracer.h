@@ -13,6 +13,10 @@ namespace brewster {
 struct Draw {
     std::uint16_t column = 0, row = 0;
     EyeNumbers numbers;
+    /// At the first glass that is seen, what it reflects and what it lets through are both followed, the weaker one with
+    /// so many times its share as probability. Where little is reflected, following it always costs more than it tells;
+    /// but one draw alone looks best so. 0: one of both.
+    float eagerness = 4;
 };
 
 /// What a batch's time goes into, in this order at each depth.
@@ -22,9 +26,9 @@ using EyeStageSeconds = std::array<double, eye_stage_count>;
 
 /// Follows rays from the eye until they end in the bins, a batch of draws at a time: direct light by shadow rays,
 /// indirect light from the bins; one ray for the gloss of any width, with multiple importance sampling against the
-/// lamps; mirrors and refraction. What a rough lobe meets is read from the bins, direct and indirect. One per thread.
-/// What a draw sees depends on its numbers alone, not on the others of its batch. What it never finds: the gloss of a lamp
-/// without extent that shines there by way of glass or a mirror.
+/// lamps; mirrors, and at glass both what it reflects and what it lets through. What a rough lobe meets is read from the
+/// bins, direct and indirect. One per thread. What a draw sees depends on its numbers alone, not on the others of its
+/// batch. What it never finds: the gloss of a lamp without extent that shines there by way of glass or a mirror.
 class EyeTracer {
   public:
     /// Then the bins of gloss.

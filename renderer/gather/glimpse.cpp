@@ -7,6 +7,11 @@
 #include "gather/first_look.h"
 
 namespace brewster {
+namespace {
+
+constexpr float always = 1e6f;  // of any share that tells
+
+}  // namespace
 
 Glimpse::Glimpse(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)), eye_(*scene_) {
     for (const Chart& chart : scene_->charts) beyond_.push_back(scene_->materials[chart.material].beyond_bins());
@@ -38,8 +43,8 @@ void Glimpse::see_row(EyeTracer& tracer, const Snapshot& bins, const Camera& cam
     const PictureRays eye_rays(camera, picture.width, picture.height);
     for (int column = 0; column < picture.width; ++column) {
         const auto pixel = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(column);
-        const Draw draw{
-            static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row), {sequence_key(1, pixel, 0), 0}};
+        Draw draw{static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row), {sequence_key(1, pixel, 0), 0}};
+        draw.eagerness = always;
         const auto place = number_pair<float>(draw.numbers.key, draw.numbers.index, place_dimension);
         rays.push_back({camera.position,
                         eye_rays.direction(static_cast<float>(column) + place[0], static_cast<float>(row) + place[1])});

@@ -69,10 +69,10 @@ Real heuristic_share(const Real& own, const Real& other) {
 struct LampSamples {
     Rows<3> direction;                      ///< unit, towards the lamp
     Rows<3> radiance;                       ///< over the density of the direction; zero: none
-    std::array<float, eye_batch> pdf;       ///< of the direction, 1/sr; 0 of a lamp without extent
+    std::array<float, most_rays> pdf;       ///< of the direction, 1/sr; 0 of a lamp without extent
     Rows<3> state, axis;                    ///< S1, S2, S3 over S0 and the axis they refer to; of polarized lamps only
-    std::array<float, eye_batch> distance;  ///< metres; infinite of a sun
-    std::array<std::uint32_t, eye_batch> lamp;
+    std::array<float, most_rays> distance;  ///< metres; infinite of a sun
+    std::array<std::uint32_t, most_rays> lamp;
     Rows<12> stokes;  ///< what reaches the entry's ray
     Rows<3> unpolarized;
 };
@@ -122,43 +122,41 @@ void light_by_lamps(const PreparedMaterial& material, bool tinted, bool polarize
     }
 }
 
-/// Where rays go on to.
+/// Where rays go on to, one way.
 struct Onwards {
     Rows<3> direction, axis;
-    std::array<float, eye_batch> pdf, share;  ///< share: the most that comes through of any light; 0: the path ends
-    std::array<float, eye_batch> sharp;       ///< 1 or 0
+    std::array<float, most_rays> pdf, share;  ///< share: the most that comes through of any light; 0: the path ends
+    std::array<float, most_rays> sharp;       ///< 1 or 0
 };
 
 /// Numbers of the events of a level.
 struct EventNumbers {
-    std::array<float, eye_batch> facet_u, facet_v, choice, slope;
+    std::array<float, most_rays> facet_u, facet_v, choice, slope;
 };
 
-/// Samples where the interface's light comes from: mirror, refraction or one facet; the event goes into the level.
 template <class Real>
-void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& numbers, Level& level, Onwards& onwards,
-           std::size_t i) {
+SurfacePoint<Real> surface_point(const PreparedMaterial& material, bool inside, const Level& level, std::size_t i) {
     SurfacePoint<Real> at;
     at.towards = -load_vector<Real>(level.direction, i);
     at.carried_axis = load_vector<Real>(level.axis, i);
     at.normal = load_vector<Real>(level.shading_normal, i);
     at.inside = inside;
     if (material.filter != FilterKind::none) at.filter_axis = load_vector<Real>(level.filter_axis, i);
-    ScatterNumbers<Real> drawn;
-    drawn.choice = drawn.facet_w = load<Real>(&numbers.choice[i]);
-    drawn.facet_u = load<Real>(&numbers.facet_u[i]);
-    drawn.facet_v = load<Real>(&numbers.facet_v[i]);
-    drawn.slope = load<Real>(&numbers.slope[i]);
-    const ScatterSample<Real, band_count> sample = material.base == Base::transparent
-                                                       ? sample_bsdf<Use::eye, band_count>(material, at, drawn)
-                                                       : sample_gloss<band_count>(material, at, drawn);
+    return at;
+}
+
+/// Puts a way on into the level and `onwards`.
+template <class Real>
+void take_way(const ScatterSample<Real, band_count>& sample, std::size_t way, Level& level, Onwards& onwards,
+              std::size_t i) {
+    const std::size_t at = way * most_rays + i;
     Real share(0);
     for (std::size_t band = 0; band < band_count; ++band) {
-        level.set_event(band, i, sample.weight[band]);
+        level.set_event(band, at, sample.weight[band]);
         share = max(share, sample.weight[band].m00 + abs(sample.weight[band].m01));
     }
-    store(sample.turn.cos_2t, &level.turn_cos[i]);
-    store(sample.turn.sin_2t, &level.turn_sin[i]);
+    store(sample.turn.cos_2t, &level.turn_cos[at]);
+    store(sample.turn.sin_2t, &level.turn_sin[at]);
     store_vector(sample.direction, onwards.direction, i);
     store_vector(sample.axis, onwards.axis, i);
     store(sample.pdf, &onwards.pdf[i]);
@@ -169,12 +167,59 @@ void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& nu
     store(select(sample.sharp, Real(1), Real(0)), &onwards.sharp[i]);
 }
 
+/// Both ways of a path that parts: the stronger one always, the weaker one with `eagerness` times its share as
+/// probability.
+template <class Real>
+std::array<ScatterSample<Real, band_count>, 2> parted_ways(const PreparedMaterial& material,
+                                                           const SurfacePoint<Real>& at, const Real& choice,
+                                                           const Real& eagerness) {
+    auto ways = both_ways<Use::eye, band_count>(material, at);
+    const Real reflected = ways[0].weight[0].m00, refracted = 1 - reflected;
+    const Real followed = min(eagerness * min(reflected, refracted), Real(1));
+    const Real enlarged = 1 / max(followed, constant<Real>(1e-30));
+    const std::array<MaskOf<Real>, 2> weaker = {reflected < refracted, !(reflected < refracted)};
+    for (std::size_t way = 0; way < 2; ++way) {
+        for (PlanarMueller<Real>& weight : ways[way].weight) weight = select(weaker[way], enlarged, Real(1)) * weight;
+        ways[way].alive = ways[way].alive && (choice < followed || !weaker[way]);
+    }
+    return ways;
+}
+
+/// Samples where the interface's light comes from: mirror, refraction or one facet. What is transparent sends it both
+/// ways where the path may part.
+template <class Real>
+void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& numbers, Level& level,
+           std::array<Onwards, 2>& onwards, std::size_t i) {
+    const SurfacePoint<Real> at = surface_point<Real>(material, inside, level, i);
+    ScatterNumbers<Real> drawn;
+    drawn.choice = drawn.facet_w = load<Real>(&numbers.choice[i]);
+    drawn.facet_u = load<Real>(&numbers.facet_u[i]);
+    drawn.facet_v = load<Real>(&numbers.facet_v[i]);
+    drawn.slope = load<Real>(&numbers.slope[i]);
+    if (material.base != Base::transparent) {
+        take_way(sample_gloss<band_count>(material, at, drawn), 0, level, onwards[0], i);
+        return;
+    }
+    const Real eagerness = load<Real>(&level.eagerness[i]);
+    const auto parts = eagerness > 0;
+    ScatterSample<Real, band_count> first = sample_bsdf<Use::eye, band_count>(material, at, drawn);
+    if (any_of(parts) && material.filter == FilterKind::none) {
+        auto ways = parted_ways(material, at, drawn.choice, eagerness);
+        ways[1].alive = ways[1].alive && parts;
+        first = select_sample<band_count, Real>(parts, ways[0], first);
+        take_way(ways[1], 1, level, onwards[1], i);
+    } else {
+        store(Real(0), &onwards[1].share[i]);
+    }
+    take_way(first, 0, level, onwards[0], i);
+}
+
 /// Brings what came along rays k of the next level to their parents: by the parents' events into the frames of their
 /// rays. It stands in `brought` until it is added.
 template <int components, class Real>
 void bring_back(const Level& next, std::size_t k, LevelLight& brought, const Level& level) {
-    const Word<Real> parent = load_word<Real>(&next.parent[k]);
-    const auto of_parent = [&](const std::array<float, eye_batch>& row) { return entries_of<Real>(row, parent); };
+    const Word<Real> way = load_word<Real>(&next.parent_way[k]);
+    const auto of_parent = [&](const Level::Ways& row) { return entries_of<Real>(row, way); };
     const LevelLight& light = next.light;
     const FrameRotation<Real> turn{of_parent(level.turn_cos), of_parent(level.turn_sin)};
     Real coarse(0);
@@ -204,7 +249,6 @@ void bring_back(const Level& next, std::size_t k, LevelLight& brought, const Lev
     store(coarse * load<Real>(&light.coarse[k]), &brought.coarse[k]);
 }
 
-/// No two rays of a level have one parent.
 template <int components>
 void add_brought(const Level& next, const LevelLight& brought, Level& level) {
     const auto add_rows = [&](const auto& from, auto& to, std::size_t rows) {

@@ -53,6 +53,23 @@ struct ScatterSample {
     MaskOf<Real> refracted;  ///< to the other side
 };
 
+/// By lanes, `a` where the mask holds, else `b`.
+template <std::size_t bands, class Real>
+ScatterSample<Real, bands> select_sample(const MaskOf<Real>& mask, const ScatterSample<Real, bands>& a,
+                                         const ScatterSample<Real, bands>& b) {
+    ScatterSample<Real, bands> chosen;
+    chosen.direction = select(mask, a.direction, b.direction);
+    chosen.axis = select(mask, a.axis, b.axis);
+    chosen.turn = {select(mask, a.turn.cos_2t, b.turn.cos_2t), select(mask, a.turn.sin_2t, b.turn.sin_2t)};
+    for (std::size_t band = 0; band < bands; ++band) chosen.weight[band] = select(mask, a.weight[band], b.weight[band]);
+    chosen.pdf = select(mask, a.pdf, b.pdf);
+    chosen.alive = (mask && a.alive) || (!mask && b.alive);
+    chosen.sharp = (mask && a.sharp) || (!mask && b.sharp);
+    chosen.base = (mask && a.base) || (!mask && b.base);
+    chosen.refracted = (mask && a.refracted) || (!mask && b.refracted);
+    return chosen;
+}
+
 namespace bsdf_detail {
 
 template <std::size_t bands, class Real>
@@ -202,42 +219,57 @@ ScatterSample<Real, bands> sample_base(const PreparedMaterial& material, const S
     return sample;
 }
 
-/// A smooth transparent skin or pane: reflection or refraction, each chosen with its unpolarized power.
+/// What a smooth transparent skin or pane does with light, whole.
+template <class Real>
+struct PartedLight {
+    PlanarMueller<Real> mirrored, through;
+    Vector<Real> onwards;  ///< unit, of what goes through
+};
+
+template <Use use, class Real>
+PartedLight<Real> part_light(const PreparedMaterial& material, const SurfacePoint<Real>& at, const Real& cos_towards) {
+    const Vector<Real> arriving = -at.towards;
+    const Real n(material.refracting_n);
+    if (material.thin) {
+        const ThinPane<Real> pane = thin_pane(cos_towards, n);
+        return {pane.reflection, pane.transmission, arriving};
+    }
+    const Real eta = at.inside ? 1 / n : n, inverse = 1 / eta;
+    const DielectricInterface<Real> skin = dielectric_interface(cos_towards, eta);
+    PlanarMueller<Real> through = planar(skin.transmission);
+    // Radiance is compressed with the beam: (n_eye/n_light)^2, the eye being on the side of `towards`.
+    if (use == Use::eye) through = (1 / (eta * eta)) * through;
+    return {planar(skin.reflection), through,
+            unit_again(add_scaled(inverse, arriving, (inverse * cos_towards - skin.cos_theta_t) * at.normal))};
+}
+
+/// One way on from there, by the mask `mirror` reflected, else refracted.
+template <std::size_t bands, class Real>
+ScatterSample<Real, bands> way_on(const PartedLight<Real>& parted, const SurfacePoint<Real>& at,
+                                  const PlaneOfIncidence<Real>& plane, const MaskOf<Real>& mirror,
+                                  const PlanarMueller<Real>& weight) {
+    ScatterSample<Real, bands> sample;
+    sample.direction = select(mirror, reflected(-at.towards, at.normal), parted.onwards);
+    sample.axis = plane.axis;
+    sample.turn = plane.turn;
+    sample.weight.fill(weight);
+    sample.pdf = Real(0);
+    sample.alive = sample.sharp = plane.cos_theta_i > Real(-1);
+    sample.refracted = !mirror;
+    sample.base = plane.cos_theta_i < Real(-1);
+    return sample;
+}
+
+/// Reflection or refraction, each chosen with its unpolarized power.
 template <Use use, std::size_t bands, class Real>
 ScatterSample<Real, bands> sample_transparent(const PreparedMaterial& material, const SurfacePoint<Real>& at,
                                               const PlaneOfIncidence<Real>& plane,
                                               const ScatterNumbers<Real>& numbers) {
-    const Vector<Real> arriving = -at.towards;
-    const Real cos_towards = plane.cos_theta_i, n(material.refracting_n);
-    PlanarMueller<Real> mirrored, through;
-    Vector<Real> onwards = arriving;
-    if (material.thin) {
-        const ThinPane<Real> pane = thin_pane(cos_towards, n);
-        mirrored = pane.reflection;
-        through = pane.transmission;
-    } else {
-        const Real eta = at.inside ? 1 / n : n;
-        const DielectricInterface<Real> skin = dielectric_interface(cos_towards, eta);
-        mirrored = planar(skin.reflection);
-        through = planar(skin.transmission);
-        // Radiance is compressed with the beam: (n_eye/n_light)^2, the eye being on the side of `towards`.
-        if (use == Use::eye) through = (1 / (eta * eta)) * through;
-        const Real inverse = 1 / eta;
-        onwards = unit_again(add_scaled(inverse, arriving, (inverse * cos_towards - skin.cos_theta_t) * at.normal));
-    }
-    const Real p = mirrored.m00;
+    const PartedLight<Real> parted = part_light<use>(material, at, plane.cos_theta_i);
+    const Real p = parted.mirrored.m00;
     const auto mirror = numbers.choice < p;
-    ScatterSample<Real, bands> sample;
-    sample.direction = select(mirror, reflected(arriving, at.normal), onwards);
-    sample.axis = plane.axis;
-    sample.turn = plane.turn;
-    const PlanarMueller<Real> chosen = select(mirror, safe_inverse(p) * mirrored, safe_inverse(1 - p) * through);
-    for (PlanarMueller<Real>& weight : sample.weight) weight = chosen;
-    sample.pdf = Real(0);
-    sample.alive = sample.sharp = cos_towards > Real(-1);
-    sample.refracted = !mirror;
-    sample.base = cos_towards < Real(-1);
-    return sample;
+    return way_on<bands>(parted, at, plane, mirror,
+                         select(mirror, safe_inverse(p) * parted.mirrored, safe_inverse(1 - p) * parted.through));
 }
 
 /// A polarizer or retarder sheet: light goes straight on. Its axis is that of the sheet less its part along the light,
@@ -261,22 +293,6 @@ ScatterSample<Real, bands> sample_filter(const PreparedMaterial& material, const
     sample.alive = sample.sharp = sample.refracted = dot(at.towards, at.normal) > Real(-2);
     sample.base = dot(at.towards, at.normal) < Real(-2);
     return sample;
-}
-
-template <std::size_t bands, class Real>
-ScatterSample<Real, bands> select_sample(const MaskOf<Real>& mask, const ScatterSample<Real, bands>& a,
-                                         const ScatterSample<Real, bands>& b) {
-    ScatterSample<Real, bands> chosen;
-    chosen.direction = select(mask, a.direction, b.direction);
-    chosen.axis = select(mask, a.axis, b.axis);
-    chosen.turn = {select(mask, a.turn.cos_2t, b.turn.cos_2t), select(mask, a.turn.sin_2t, b.turn.sin_2t)};
-    for (std::size_t band = 0; band < bands; ++band) chosen.weight[band] = select(mask, a.weight[band], b.weight[band]);
-    chosen.pdf = select(mask, a.pdf, b.pdf);
-    chosen.alive = (mask && a.alive) || (!mask && b.alive);
-    chosen.sharp = (mask && a.sharp) || (!mask && b.sharp);
-    chosen.base = (mask && a.base) || (!mask && b.base);
-    chosen.refracted = (mask && a.refracted) || (!mask && b.refracted);
-    return chosen;
 }
 
 }  // namespace bsdf_detail
@@ -343,6 +359,20 @@ ScatterSample<Real, bands> sample_bsdf(const PreparedMaterial& material, const S
     ScatterSample<Real, bands> gloss;
     if (has_gloss(material)) gloss = sample_gloss<bands>(material, at, numbers);
     return sample_bsdf<use, bands>(material, at, numbers, gloss);
+}
+
+/// Both ways on at a transparent material, without any choice: what it reflects, then what it lets through.
+template <Use use, std::size_t bands, class Real>
+std::array<ScatterSample<Real, bands>, 2> both_ways(const PreparedMaterial& material, const SurfacePoint<Real>& at) {
+    using namespace bsdf_detail;
+    const PlaneOfIncidence<Real> plane = plane_of_incidence(-at.towards, at.carried_axis, at.normal);
+    const auto above = dot(at.towards, at.normal) > constant<Real>(1e-6);
+    const PartedLight<Real> parted = part_light<use>(material, at, plane.cos_theta_i);
+    const MaskOf<Real> all = plane.cos_theta_i > Real(-1), none = plane.cos_theta_i < Real(-1);
+    std::array<ScatterSample<Real, bands>, 2> ways = {way_on<bands>(parted, at, plane, all, parted.mirrored),
+                                                      way_on<bands>(parted, at, plane, none, parted.through)};
+    for (ScatterSample<Real, bands>& way : ways) way.alive = way.alive && above;
+    return ways;
 }
 
 /// A lobe between two given directions.

@@ -44,7 +44,7 @@ TEST(GatherClosedAnswers, TwoReflections) {
 }
 
 /// A pane and both faces of a glass body straight ahead pass what they do not reflect, whatever the index inside: the
-/// radiance factor 1/n^2 of one face is undone by the other. One event of two is drawn, so the mean is statistical.
+/// radiance factor 1/n^2 of one face is undone by the other. Weaker ways are drawn now and then, so the mean is statistical.
 TEST(GatherClosedAnswers, PaneAndGlassPassWhatTheyDoNotReflect) {
     const double r = 0.04;  // ((1.5 - 1)/(1.5 + 1))^2
     for (const bool body : {false, true}) {
