@@ -10,6 +10,7 @@
 #include "transport/block/groups.h"
 #include "transport/block/land.h"
 #include "transport/block/pending_imprints.h"
+#include "transport/block/stages.h"
 #include "transport/block/window.h"
 #include "transport/emitted_light.h"
 #include "transport/kernel.h"
@@ -19,7 +20,7 @@
 /// on eight at a time. The same formulas as the scalar engine, and the same bits.
 namespace brewster::transport {
 
-template <int components, int bands, bool gloss>
+template <int components, int bands, bool gloss, class Clock = NoClock>
 class BlockTracer : public PhotonTracer {
   public:
     explicit BlockTracer(std::size_t slots) : slots_(slots), now_(slots), next_(slots), hits_(slots), hole_(slots) {}
@@ -30,6 +31,7 @@ class BlockTracer : public PhotonTracer {
             for (Group& group : groups_->groups) group.slots.reserve(slots_);
         }
         for (std::uint64_t photon = begin;;) {
+            clock_.enter(Stage::start);
             while (photon < end && now_.count < slots_)
                 photon = emit(context, photon, std::min(end, photon + (slots_ - now_.count)), sums);
             if (now_.count == 0) break;
@@ -40,13 +42,17 @@ class BlockTracer : public PhotonTracer {
                 group.slots.clear();
             }
             pass_holes(context);
+            clock_.enter(Stage::file_base);
             entry_.flush(sums.entry);
             if constexpr (gloss) gloss_.flush(sums.gloss);
             books_.close(sums.ledger);
             std::swap(now_, next_);
             next_.count = 0;
         }
+        clock_.enter(Stage::rest);
     }
+
+    Clock& clock() { return clock_; }
 
   private:
     using Slots = Window<components, bands>;
@@ -79,7 +85,9 @@ class BlockTracer : public PhotonTracer {
 
     // Finds what each photon meets and sorts the slots by it; those that end here are booked.
     void meet(const TransportContext& context, WorkerSums& sums) {
+        clock_.enter(Stage::meet);
         context.rays.meet({now_.rays.data(), now_.count}, {hits_.data(), now_.count});
+        clock_.enter(Stage::sort);
         sums.counts.rays += now_.count;
         const LandingTable& table = context.rays.landing_table();
         escaped_.clear();
@@ -128,6 +136,7 @@ class BlockTracer : public PhotonTracer {
 
     /// One batch of a group: arrival, deposits, the way on.
     void move_on(const TransportContext& context, const Group& group, std::size_t first, WorkerSums& sums) {
+        clock_.enter(Stage::load);
         Batched batch = load_batch(now_, &group.slots[first], lanes_from(group.slots, first));
         auto& flight = batch.flight;
         std::array<TriangleHit, lane_count> hits;
@@ -136,6 +145,7 @@ class BlockTracer : public PhotonTracer {
             hits[lane] = hits_[batch.slots[lane]];
             holes[lane] = hole_[batch.slots[lane]];
         }
+        clock_.enter(Stage::land);
         Meeting<FloatLanes> at = land(context.rays.landing_table(), hits, flight.direction);
         at.material = group.material;
         at.inside = group.inside;
@@ -147,6 +157,7 @@ class BlockTracer : public PhotonTracer {
         flight.alive = batch.present && !hole;
         sums.counts.bounces += count_of(flight.alive);
         cut_turned_away(at, flight, books_);
+        clock_.enter(Stage::event);
         const Event<FloatLanes, bands> event = event_at(context, at, flight);
         bool filed = false;
         if (at.material->diffuse()) {
@@ -160,6 +171,7 @@ class BlockTracer : public PhotonTracer {
             }
         }
         if (filed) batch.useful = batch.useful || flight.alive;
+        clock_.enter(Stage::scatter);
         const bool any_hole = any_of(hole);
         const Flight<FloatLanes, components, bands> passing = flight;
         go_on(context, at, event, flight, books_, sums.counts);
@@ -170,11 +182,13 @@ class BlockTracer : public PhotonTracer {
             flight.direct = hole && passing.direct;
         }
         count_useful(batch, LaneMask(batch.present && !flight.alive && batch.useful), sums);
+        clock_.enter(Stage::keep);
         append(next_, batch, at.position, at.triangle);
     }
 
     void deposit_entry(const TransportContext& context, const Meeting<FloatLanes>& at,
                        const Flight<FloatLanes, components, bands>& flight, const LaneMask& present, WorkerSums& sums) {
+        clock_.enter(Stage::enter);
         const EnteringLight<FloatLanes, bands> entering =
             entering_light<FloatLanes, components, bands>(at, flight.direction, flight.light);
         const BinTree<2>& tree = context.bins.entry;
@@ -190,13 +204,15 @@ class BlockTracer : public PhotonTracer {
             places[lane] = {fields.worlds(light), fields.field(light, 0), light == 0 ? 0 : fields.direct_worlds - 1,
                             photons[lane] % replica_count};
         }
-        entry_.add(sums.entry, LaneMask(present && entering.filed), leaf, places, entering.weights.data(),
-                   leaf_coordinates<2>(tree, leaf, point));
+        const auto coordinates = leaf_coordinates<2>(tree, leaf, point);
+        clock_.enter(Stage::file_base);
+        entry_.add(sums.entry, LaneMask(present && entering.filed), leaf, places, entering.weights.data(), coordinates);
     }
 
     void deposit_gloss(const TransportContext& context, const Meeting<FloatLanes>& at,
                        const Flight<FloatLanes, components, bands>& flight, const Event<FloatLanes, bands>& event,
                        const LaneMask& present, bool coarse, WorkerSums& sums) {
+        clock_.enter(Stage::descend);
         const BinTree<4>& tree = context.bins.gloss;
         const WordLanes chart = gather<1>(context.bins.gloss_charts.index.data(), at.chart);
         const WordLanes place = tree.enter(chart, at.u, at.v);
@@ -209,13 +225,17 @@ class BlockTracer : public PhotonTracer {
         const std::uint32_t deposits = deposits_of(*at.material, coarse);
         const float share = 1.0f / static_cast<float>(deposits);
         for (std::uint32_t k = 0; k < deposits; ++k) {
+            clock_.enter(Stage::lobe);
             const auto sent =
                 gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, share);
             const LaneMask filed = present && sent.filed;
             if (!any_of(filed)) continue;
+            clock_.enter(Stage::descend);
             const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};
             const WordLanes leaf = tree.descend(place, point);
-            gloss_.add(sums.gloss, filed, leaf, places, sent.weights.data(), leaf_coordinates<4>(tree, leaf, point));
+            const auto coordinates = leaf_coordinates<4>(tree, leaf, point);
+            clock_.enter(Stage::file_gloss);
+            gloss_.add(sums.gloss, filed, leaf, places, sent.weights.data(), coordinates);
         }
     }
 
@@ -242,6 +262,7 @@ class BlockTracer : public PhotonTracer {
     Books<FloatLanes> books_;
     PendingImprints<2, worlds, bands> entry_;
     PendingImprints<4, gloss_fields, bands> gloss_;
+    [[no_unique_address]] Clock clock_;
 };
 
 template <int components, int bands, bool gloss>
