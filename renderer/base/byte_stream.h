@@ -22,8 +22,8 @@ class ByteWriter {
         const auto* bytes = reinterpret_cast<const char*>(&number);
         bytes_.append(bytes, sizeof number);
     }
-    template <class Number>
-    void put_all(const std::vector<Number>& numbers) {
+    template <class Number, class Allocator>
+    void put_all(const std::vector<Number, Allocator>& numbers) {
         static_assert(std::is_arithmetic_v<Number> || sizeof(Number) == 16, "one kind of number");
         put(static_cast<std::uint64_t>(numbers.size()));
         bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
@@ -50,11 +50,11 @@ class ByteReader {
         std::memcpy(&number, take(sizeof number).data(), sizeof number);
         return number;
     }
-    template <class Number>
-    std::vector<Number> get_all() {
+    template <class Number, class Allocator = std::allocator<Number>>
+    std::vector<Number, Allocator> get_all() {
         const auto count = get<std::uint64_t>();
         if (count > bytes_.size() / sizeof(Number)) refuse();
-        std::vector<Number> numbers(static_cast<std::size_t>(count));
+        std::vector<Number, Allocator> numbers(static_cast<std::size_t>(count));
         const std::string_view from = take(numbers.size() * sizeof(Number));
         if (!numbers.empty()) std::memcpy(numbers.data(), from.data(), from.size());
         return numbers;

@@ -6,6 +6,7 @@
 
 #include "base/byte_stream.h"
 #include "base/fixed_point.h"
+#include "base/line_allocator.h"
 #include "base/units.h"
 
 namespace brewster {
@@ -124,13 +125,15 @@ class Tally {
     /// Sums of as many leaves as the tally has room for.
     void read(ByteReader& file) {
         const std::size_t estimates = estimate_.size(), tests = test_.size();
-        estimate_ = file.get_all<Quanta>();
-        test_ = file.get_all<Quanta>();
+        estimate_ = file.get_all<Quanta, LineAllocator<Quanta>>();
+        test_ = file.get_all<Quanta, LineAllocator<Quanta>>();
         if (estimate_.size() != estimates || test_.size() != tests) file.refuse();
     }
 
   private:
-    static void drain(std::vector<Quanta>& from, std::vector<Quanta>& to) {
+    using Rows = std::vector<Quanta, LineAllocator<Quanta>>;
+
+    static void drain(Rows& from, Rows& to) {
         for (std::size_t i = 0; i < from.size(); ++i) {
             to[i] += from[i];
             from[i] = 0;
@@ -138,7 +141,7 @@ class Tally {
     }
 
     std::size_t estimate_size_, test_size_;
-    std::vector<Quanta> estimate_, test_;
+    Rows estimate_, test_;
 };
 
 }  // namespace brewster

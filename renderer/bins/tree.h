@@ -64,6 +64,7 @@ template <int D>
 class BinTree {
   public:
     using Point = std::array<std::uint32_t, D>;
+    using LanesPoint = std::array<WordLanes, D>;
 
     BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout, const BinSettings& settings);
 
@@ -84,10 +85,13 @@ class BinTree {
         const WordLanes start =
             gather<1>(directory_.data(), (chart << 2 * directory_bits) | (row << directory_bits) | column);
         if constexpr (D == 2) return start;
-        return descent<true>(start, {u, v});
+        return descent<true, 1>(start, {{{u, v}}})[0];
     }
-    WordLanes descend(WordLanes node, const std::array<WordLanes, D>& point) const {
-        return descent<false>(node, point);
+    WordLanes descend(WordLanes node, const LanesPoint& point) const { return descent<false, 1>(node, {point})[0]; }
+    /// Of several points at a time, so that their steps wait for memory together.
+    template <std::size_t count>
+    std::array<WordLanes, count> descend(WordLanes node, const std::array<LanesPoint, count>& points) const {
+        return descent<false>(node, points);
     }
     const LeafFrame<D>& frame(std::uint32_t leaf) const { return frames_[leaf]; }
 
@@ -121,23 +125,31 @@ class BinTree {
     static constexpr int directory_bits = 4;
     static constexpr std::uint32_t most_directories = 4096;
 
-    // To the leaf's index, or, by position alone, to the node where another axis or the leaf comes.
-    template <bool by_position>
-    WordLanes descent(WordLanes node, const std::array<WordLanes, D>& point) const {
+    // To the leaves' indices, or, by position alone, to the node where another axis or the leaf comes.
+    template <bool by_position, std::size_t count>
+    std::array<WordLanes, count> descent(WordLanes start, const std::array<LanesPoint, count>& points) const {
         constexpr std::uint32_t axes = by_position ? 2 : D;
+        std::array<WordLanes, count> nodes, leaves;
+        nodes.fill(start);
         for (;;) {
-            const auto words = gather_pair(&nodes_[0].split, node);
-            const WordLanes split = words.first, word = words.second;
-            LaneMask ends = has_top_bit(word);
-            if constexpr (by_position) ends = ends || has_top_bit(word << 1);  // an axis of directions
-            if (!any_of(!ends)) return by_position ? node : word & WordLanes(~BREWSTER_NODE_LEAF);
-            const WordLanes axis = word >> BREWSTER_NODE_AXIS_SHIFT;
-            WordLanes coordinate = point[0];
-            for (std::uint32_t a = 1; a < axes; ++a)
-                coordinate = select(equal(axis, WordLanes(a)), point[a], coordinate);
-            const LaneMask low = below(coordinate, split);
-            const WordLanes child = (word & WordLanes(BREWSTER_NODE_INDEX)) + select(low, WordLanes(0u), WordLanes(1u));
-            node = select(ends, node, child);
+            LaneMask all_end = first_lanes(lane_count);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto words = gather_pair(&nodes_[0].split, nodes[i]);
+                const WordLanes split = words.first, word = words.second;
+                LaneMask ends = has_top_bit(word);
+                if constexpr (by_position) ends = ends || has_top_bit(word << 1);  // an axis of directions
+                all_end = all_end && ends;
+                leaves[i] = by_position ? nodes[i] : word & WordLanes(~BREWSTER_NODE_LEAF);
+                const WordLanes axis = word >> BREWSTER_NODE_AXIS_SHIFT;
+                WordLanes coordinate = points[i][0];
+                for (std::uint32_t a = 1; a < axes; ++a)
+                    coordinate = select(equal(axis, WordLanes(a)), points[i][a], coordinate);
+                const LaneMask low = below(coordinate, split);
+                const WordLanes child =
+                    (word & WordLanes(BREWSTER_NODE_INDEX)) + select(low, WordLanes(0u), WordLanes(1u));
+                nodes[i] = select(ends, nodes[i], child);
+            }
+            if (!any_of(!all_end)) return leaves;
         }
     }
     void fill_directory();

@@ -19,10 +19,9 @@ namespace brewster::transport {
 namespace {
 
 constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::count);
-constexpr std::array<const char*, stage_count> names = {"starts",        "hits",          "by material", "to lanes",
-                                                        "landing",       "event",         "2-D descent", "2-D filing",
-                                                        "lobes",         "4-D descent",   "4-D filing",  "way on",
-                                                        "to slots",      "ends of batches"};
+constexpr std::array<const char*, stage_count> names = {
+    "starts",     "hits",  "by material", "to lanes",   "landing", "event",    "2-D descent",
+    "2-D filing", "lobes", "4-D descent", "4-D filing", "way on",  "to slots", "ends of batches"};
 
 class StageClock {
   public:

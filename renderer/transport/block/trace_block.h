@@ -135,7 +135,8 @@ class BlockTracer : public PhotonTracer {
     }
 
     /// One batch of a group: arrival, deposits, the way on.
-    void move_on(const TransportContext& context, const Group& group, std::size_t first, WorkerSums& sums) {
+    [[gnu::flatten]] void move_on(const TransportContext& context, const Group& group, std::size_t first,
+                                  WorkerSums& sums) {
         clock_.enter(Stage::load);
         Batched batch = load_batch(now_, &group.slots[first], lanes_from(group.slots, first));
         auto& flight = batch.flight;
@@ -195,7 +196,7 @@ class BlockTracer : public PhotonTracer {
         const EntryFields& fields = context.bins.entry_fields;
         const std::array<WordLanes, 2> point = {at.u, at.v};
         const WordLanes leaf = tree.descend(tree.enter(at.chart, at.u, at.v), point);
-        typename PendingImprints<2, worlds, bands>::Places places;
+        typename PendingImprints<2, worlds, bands, 1>::Places places;
         std::array<std::uint32_t, lane_count> photons;
         store(flight.key.photon_low, photons.data());
         const unsigned direct = bits_of(flight.direct);
@@ -217,26 +218,35 @@ class BlockTracer : public PhotonTracer {
         const WordLanes chart = gather<1>(context.bins.gloss_charts.index.data(), at.chart);
         const WordLanes place = tree.enter(chart, at.u, at.v);
         const GlossFrame<FloatLanes> frame = gloss_frame(at, flight.direction);
-        typename PendingImprints<4, gloss_fields, bands>::Places places;
+        typename PendingImprints<4, gloss_fields, bands, gloss_deposits>::Places places;
         std::array<std::uint32_t, lane_count> photons;
         store(flight.key.photon_low, photons.data());
         for (std::size_t lane = 0; lane < lane_count; ++lane)
             places[lane] = {gloss_fields, 0, 0, photons[lane] % replica_count};
-        const std::uint32_t deposits = deposits_of(*at.material, coarse);
-        const float share = 1.0f / static_cast<float>(deposits);
-        for (std::uint32_t k = 0; k < deposits; ++k) {
+        const auto file = [&]<std::size_t deposits>() {
+            std::array<GlossLight<FloatLanes, components, bands>, deposits> sent;
+            std::array<BinTree<4>::LanesPoint, deposits> points;
             clock_.enter(Stage::lobe);
-            const auto sent =
-                gloss_light(at, frame, flight.light, lobe_sample(context, at, flight, event, k), coarse, share);
-            const LaneMask filed = present && sent.filed;
-            if (!any_of(filed)) continue;
+            for (std::size_t k = 0; k < deposits; ++k) {
+                sent[k] = gloss_light(at, frame, flight.light,
+                                      lobe_sample(context, at, flight, event, static_cast<std::uint32_t>(k)), coarse,
+                                      1.0f / static_cast<float>(deposits));
+                points[k] = {at.u, at.v, sent[k].square[0], sent[k].square[1]};
+            }
             clock_.enter(Stage::descend);
-            const std::array<WordLanes, 4> point = {at.u, at.v, sent.square[0], sent.square[1]};
-            const WordLanes leaf = tree.descend(place, point);
-            const auto coordinates = leaf_coordinates<4>(tree, leaf, point);
-            clock_.enter(Stage::file_gloss);
-            gloss_.add(sums.gloss, filed, leaf, places, sent.weights.data(), coordinates);
-        }
+            const std::array<WordLanes, deposits> leaves = tree.descend(place, points);
+            for (std::size_t k = 0; k < deposits; ++k) {
+                const auto coordinates = leaf_coordinates<4>(tree, leaves[k], points[k]);
+                clock_.enter(Stage::file_gloss);
+                gloss_.add(sums.gloss, LaneMask(present && sent[k].filed), leaves[k], places, sent[k].weights.data(),
+                           coordinates);
+                clock_.enter(Stage::descend);
+            }
+        };
+        if (deposits_of(*at.material, coarse) == 1)
+            file.template operator()<1>();
+        else
+            file.template operator()<gloss_deposits>();
     }
 
     // Holes in single-sided surfaces that are met from behind file nothing.
@@ -260,8 +270,8 @@ class BlockTracer : public PhotonTracer {
     std::vector<std::uint32_t> escaped_, absorbed_, behind_holes_;
     std::optional<Groups> groups_;
     Books<FloatLanes> books_;
-    PendingImprints<2, worlds, bands> entry_;
-    PendingImprints<4, gloss_fields, bands> gloss_;
+    PendingImprints<2, worlds, bands, 1> entry_;
+    PendingImprints<4, gloss_fields, bands, gloss_deposits> gloss_;
     [[no_unique_address]] Clock clock_;
 };
 
