@@ -31,7 +31,9 @@ TEST(Blocks, AreTheScalarEngineOnEveryScene) {
                              "spheres.gltf", "furnace.gltf"}) {
         const auto scene = rooms::read(name);
         const std::string oracle = digest_of(scene, some, 0, 2);
-        EXPECT_EQ(digest_of(scene, some, default_window, 2), oracle) << name;
+        for (const std::size_t window : {std::size_t{256}, default_window, std::size_t{8192}})
+            for (const unsigned threads : {1u, 2u})
+                EXPECT_EQ(digest_of(scene, some, window, threads), oracle) << name << " " << window << " " << threads;
         EXPECT_NE(digest_of(scene, some - 1, default_window, 2), oracle) << name;
     }
 }
@@ -102,8 +104,10 @@ TEST(Blocks, AreTheScalarEngineInEveryKernel) {
                 for (const bool gloss : {false, true}) {
                     if (bands == 1 && std::string(name) == "gloss-lab.gltf") continue;  // it has colours
                     const KernelChoice kernel{stokes, bands, gloss};
-                    EXPECT_EQ(digest_of(scene, some, default_window, 2, kernel), digest_of(scene, some, 0, 2, kernel))
-                        << name << " " << stokes << " " << bands << " " << gloss;
+                    const std::string oracle = digest_of(scene, some, 0, 2, kernel);
+                    for (const std::size_t window : {std::size_t{256}, default_window})
+                        EXPECT_EQ(digest_of(scene, some, window, window == 256 ? 1 : 2, kernel), oracle)
+                            << name << " " << stokes << " " << bands << " " << gloss << " " << window;
                 }
     }
 }

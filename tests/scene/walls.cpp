@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -54,6 +55,45 @@ TEST(Walls, RectanglesAreOneWall) {
     const Walls walls(*scene, passed_by.planes());
     EXPECT_EQ(walls.count(), 6u);
     EXPECT_TRUE(walls.others().empty());
+}
+
+// Each of the triangles cut in four, so many times.
+void cut_in_four(Scene& scene, std::vector<Triangle> triangles, int times) {
+    for (; times > 0; --times) {
+        std::vector<Triangle> finer;
+        for (const Triangle& whole : triangles) {
+            const auto& v = whole.vertices;
+            const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+            for (std::size_t i = 0; i < 3; ++i)
+                scene.vertices.push_back(0.5f * (scene.vertices[v[i]] + scene.vertices[v[(i + 1) % 3]]));
+            const std::uint32_t a = first, b = first + 1, c = first + 2;
+            for (const auto& corners : {std::array{v[0], a, c}, {a, v[1], b}, {c, b, v[2]}, {a, b, c}}) {
+                finer.push_back(whole);
+                finer.back().vertices = corners;
+            }
+        }
+        triangles = std::move(finer);
+    }
+    scene.triangles.insert(scene.triangles.end(), triangles.begin(), triangles.end());
+}
+
+// A furnace of 12 triangles, all of them or the last one in small pieces.
+TEST(Walls, OfManyOnlyLargeOnesAreAskedOneByOne) {
+    const auto walls_of = [](std::size_t kept, int times) {
+        Scene scene = *rooms::read("furnace.gltf");
+        const std::vector<Triangle> rest(scene.triangles.begin() + static_cast<std::ptrdiff_t>(kept),
+                                         scene.triangles.end());
+        scene.triangles.resize(kept);
+        cut_in_four(scene, rest, times);
+        const PassedBy passed_by(scene);
+        const Walls walls(scene, passed_by.planes());
+        EXPECT_EQ(walls.count() == 0, walls.others().size() == scene.triangles.size());
+        return walls.count();
+    };
+    EXPECT_GE(walls_of(0, 2), 96u);  // 192 triangles, some of them in pairs
+    EXPECT_LE(walls_of(0, 2), 192u);
+    EXPECT_EQ(walls_of(0, 4), 0u);
+    EXPECT_EQ(walls_of(11, 5), 6u);
 }
 
 // Walls and tree find the same triangles at the same places, to rounding. Only where a ray meets an edge, which of rays
