@@ -33,6 +33,7 @@ constexpr int draws_before_change = 8;
 /// long is left to them before the next.
 constexpr double slow_frame = 0.02;                         // seconds
 constexpr double slow_present = 0.005, longest_nap = 0.02;  // seconds
+constexpr int bands_of_slow_draw = 5;
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
 constexpr float wheel_radius = 58;  // pixels at scale 1
 
@@ -402,9 +403,15 @@ void Viewer::draw() {
         glimpse_.show(picture, view_.camera, bins_generation_);
     const bool drawn = drawing_wanted();
     const Rendition needed = Canvas::needed(view_, comparing_);
+    // At rest nobody waits for a whole draw, but somebody may come.
+    const bool whole = in_motion || fresh() || !resolution_.half() || picture.draws(needed) == 0;
     if (drawn) {
-        picture.draw(1, needed);
-        improved_ = true;
+        const int before = picture.draws(needed);
+        if (whole)
+            picture.draw(1, needed);
+        else
+            picture.draw_band(bands_of_slow_draw, needed);
+        if (picture.draws(needed) > before) improved_ = true;
     }
     const bool due = begin - last_present_ >= seconds_between_presents;
     const bool running = session_.engine() && session_.engine()->progress().running;
@@ -415,8 +422,8 @@ void Viewer::draw() {
         picture.finish();
     }
     const double took = seconds_now() - begin;
-    pause_ = !in_motion && drawn && took > slow_frame ? 3 * took : 0;
-    if (drawn && !keeps_resolution_) resolution_.frame_took(took);
+    pause_ = !in_motion && drawn && (took > slow_frame || !whole) ? 3 * took : 0;
+    if (drawn && whole && !keeps_resolution_) resolution_.frame_took(took);
     if (in_motion && drawn) frame_seconds_ = took;
     // Frames of sliders could follow each other without a pause; photons that are waited for need one.
     if (session_.stale() && !in_motion && took > slow_present)

@@ -28,13 +28,28 @@ void Layer::resize(int width, int height) {
     if (width == drawn_.width() && height == drawn_.height()) return;
     drawn_ = RenderTarget(width, height, drawn_textures(), true);
     sums_ = RenderTarget(width, height, sum_textures(), false);
-    draws_ = 0;
+    forget();
 }
 
 void Layer::add(const std::function<void(const Program&)>& draw_charts) {
+    next_band_ = 0;
+    add_band(draw_charts, 1);
+}
+
+void Layer::add_band(const std::function<void(const Program&)>& draw_charts, int bands) {
     drawn_.bind();
+    const int low = drawn_.height() * next_band_ / bands, high = drawn_.height() * (next_band_ + 1) / bands;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, low, drawn_.width(), high - low);
     drawn_.clear();
     draw_charts(chart_program_);
+    glDisable(GL_SCISSOR_TEST);
+    if (++next_band_ < bands) return;
+    next_band_ = 0;
+    accumulate();
+}
+
+void Layer::accumulate() {
     sums_.bind();
     if (draws_ == 0) sums_.clear();
     constexpr std::array<const char*, 7> drawn = {"drawn_s0", "drawn_variance",        "drawn_s1",         "drawn_s2",

@@ -21,10 +21,12 @@ class Layer {
 
     /// Another size forgets the draws so far.
     void resize(int width, int height);
-    void forget() { draws_ = 0; }
+    void forget() { draws_ = next_band_ = 0; }
 
     /// Adds what `draw_charts` draws with the program it is given.
     void add(const std::function<void(const Program&)>& draw_charts);
+    /// The same, but draws only the next of so many bands of rows; the last one adds them all.
+    void add_band(const std::function<void(const Program&)>& draw_charts, int bands);
 
     int draws() const { return draws_; }
     LayerKind kind() const { return kind_; }
@@ -37,6 +39,7 @@ class Layer {
     Image stokes() const;
 
   private:
+    void accumulate();
     void add_spread(Image& image) const;  ///< of the draws of S0, to its variance
     int drawn_textures() const { return kind_ == LayerKind::stokes ? 7 : kind_ == LayerKind::radiance ? 2 : 1; }
     int sum_textures() const { return kind_ == LayerKind::stokes ? 8 : kind_ == LayerKind::radiance ? 3 : 1; }
@@ -45,7 +48,7 @@ class Layer {
     Program chart_program_, accumulate_program_;
     VertexArray no_vertices_;
     RenderTarget drawn_, sums_;
-    int draws_ = 0;
+    int draws_ = 0, next_band_ = 0;
 };
 
 }  // namespace brewster

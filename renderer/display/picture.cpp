@@ -154,7 +154,19 @@ void Picture::draw(int count, const Rendition& rendition) {
     const int aim = draws(rendition) + count;
     for (const Part part : {polarized, unpolarized, cells})
         if (wanted[part])
-            while (layer(part).draws() < aim) draw_part(part);
+            while (layer(part).draws() < aim) draw_part(part, 1);
+    check_gl("picture of " + scene_->name);
+}
+
+void Picture::draw_band(int bands, const Rendition& rendition) {
+    BREWSTER_CHECK(width_ > 0 && bands > 0, "look first");
+    const std::array<bool, 3> wanted = parts_of(rendition);
+    const int aim = draws(rendition) + 1;
+    for (const Part part : {polarized, unpolarized, cells})
+        if (wanted[part] && layer(part).draws() < aim) {
+            draw_part(part, bands);
+            break;
+        }
     check_gl("picture of " + scene_->name);
 }
 
@@ -166,11 +178,15 @@ int Picture::draws(const Rendition& rendition) const {
     return least;
 }
 
-void Picture::draw_part(Part part) {
+void Picture::draw_part(Part part, int bands) {
     Layer& target = layer(part);
-    target.add([&](const Program& program) {
+    const auto charts = [&](const Program& program) {
         if (upload_.drawn()) draw_charts(program, part, target.draws());
-    });
+    };
+    if (bands == 1)
+        target.add(charts);
+    else
+        target.add_band(charts, bands);
 }
 
 void Picture::draw_charts(const Program& program, Part part, int index) const {

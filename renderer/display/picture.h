@@ -62,6 +62,8 @@ class Picture {
     /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the
     /// next all over the pixels; 64, or a multiple, see edges best.
     void draw(int count = 1, const Rendition& rendition = {});
+    /// A step towards one more draw, of which each takes so many: nobody has to wait for a whole one.
+    void draw_band(int bands, const Rendition& rendition);
     /// For measuring what looking into the bins costs: they say the same everywhere from now on, or what they hold.
     void make_flat(bool flat);
 
@@ -89,7 +91,7 @@ class Picture {
     Part place_of(Part part) const { return part == unpolarized && !polarizes_ ? polarized : part; }
     Layer& layer(Part part);
     const Layer* drawn_layer(Part part) const;
-    void draw_part(Part part);
+    void draw_part(Part part, int bands);
     void draw_charts(const Program& program, Part part, int index) const;
     void forget();
 

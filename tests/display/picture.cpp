@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -310,6 +311,30 @@ TEST_F(PictureTest, SmallerPictureIsStretchedOverTheScreen) {
     EXPECT_GT(red(24, 24), 200);
     EXPECT_GT(red(55, 55), 200);
     EXPECT_EQ(red(70, 40), 0);
+}
+
+TEST_F(PictureTest, DrawsInBandsAreTheSame) {
+    const Scene scene = shining_square();
+    const auto picture_of = [&] {
+        auto picture = std::make_unique<Picture>(scene);
+        picture->show(std::make_shared<Snapshot>(hand_made::empty_bins(scene)));
+        picture->upload();
+        picture->look(camera_at({0, 0, 0}, {0, 0, -1}, {0, 1, 0}), 40, 41);
+        picture->draw();
+        return picture;
+    };
+    const auto whole = picture_of(), banded = picture_of();
+    whole->draw(2);
+    const std::vector<float> first = banded->stokes().channel(stokes_channel(0, 0));
+    for (int band = 1; band <= 6; ++band) {
+        EXPECT_EQ(banded->draws(), band <= 3 ? 1 : 2);
+        if (band <= 3) {
+            EXPECT_EQ(banded->stokes().channel(stokes_channel(0, 0)), first);
+        }
+        banded->draw_band(3, {});
+    }
+    EXPECT_EQ(banded->draws(), 3);
+    EXPECT_EQ(banded->stokes().channel(stokes_channel(0, 0)), whole->stokes().channel(stokes_channel(0, 0)));
 }
 
 TEST_F(PictureTest, SizeBeyondTheDriverIsSaid) {
