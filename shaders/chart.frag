@@ -44,9 +44,19 @@ uniform sampler2D glimpse_s3;
 #endif
 uniform vec2 glimpse_scale;
 
-// The light of the nearest texels whose rays have met this chart; false where none has. One ray is known to within its
-// own light, but how polarized it is varies little over the lobe that it was drawn from, and is taken for known to an
-// eighth: otherwise a moving picture of degrees would be masked altogether.
+#ifdef BREWSTER_STOKES
+// Variance of a weighted mean's component from how far the rays' own lie from its share of their light. `squares`:
+// weight^2 times component^2, component times light, light^2. One ray alone is known to within itself.
+vec3 glimpse_variance(vec3 component, vec3 light, vec3 squares[3], float sum, int rays) {
+    if (rays < 2) return component * component;
+    vec3 share = component / max(light, vec3(1e-30));
+    vec3 apart = squares[0] - 2.0 * share * squares[1] + share * share * squares[2];
+    return max(apart, vec3(0.0)) / (sum * sum) * float(rays) / float(rays - 1);
+}
+#endif
+
+// The light of the nearest texels whose rays have met this chart; false where none has. How bright it is, one ray knows to
+// within its own light; how polarized, the rays beside it tell.
 bool take_glimpse() {
     vec2 place = gl_FragCoord.xy * glimpse_scale - 0.5;
     ivec2 low = ivec2(floor(place)), last = textureSize(glimpse_charts, 0) - 1;
@@ -55,6 +65,9 @@ bool take_glimpse() {
     s0 = variance = vec4(0.0);
 #ifdef BREWSTER_STOKES
     s1 = s2 = s3 = variance_linear = variance_s3 = vec4(0.0);
+    vec3 squares_1[3], squares_2[3], squares_3[3];
+    for (int k = 0; k < 3; ++k) squares_1[k] = squares_2[k] = squares_3[k] = vec3(0.0);
+    int rays = 0;
 #endif
     for (int k = 0; k < 4; ++k) {
         ivec2 step = ivec2(k & 1, k >> 1), at = clamp(low + step, ivec2(0), last);
@@ -65,11 +78,23 @@ bool take_glimpse() {
         if (unpolarized) {
             s0.rgb += weight * texelFetch(glimpse_unpolarized, at, 0).rgb;
         } else {
-            s0.rgb += weight * texelFetch(glimpse_s0, at, 0).rgb;
+            vec3 light = weight * texelFetch(glimpse_s0, at, 0).rgb;
+            s0.rgb += light;
 #ifdef BREWSTER_STOKES
-            s1.rgb += weight * texelFetch(glimpse_s1, at, 0).rgb;
-            s2.rgb += weight * texelFetch(glimpse_s2, at, 0).rgb;
-            s3.rgb += weight * texelFetch(glimpse_s3, at, 0).rgb;
+            vec3 one = weight * texelFetch(glimpse_s1, at, 0).rgb;
+            vec3 two = weight * texelFetch(glimpse_s2, at, 0).rgb;
+            vec3 three = weight * texelFetch(glimpse_s3, at, 0).rgb;
+            s1.rgb += one;
+            s2.rgb += two;
+            s3.rgb += three;
+            squares_1[0] += one * one;
+            squares_1[1] += one * light;
+            squares_2[0] += two * two;
+            squares_2[1] += two * light;
+            squares_3[0] += three * three;
+            squares_3[1] += three * light;
+            squares_1[2] += light * light;
+            ++rays;
 #endif
         }
     }
@@ -80,8 +105,10 @@ bool take_glimpse() {
     s1 /= sum;
     s2 /= sum;
     s3 /= sum;
-    variance_linear = max(s1 * s1, s2 * s2) / 64.0;
-    variance_s3 = s3 * s3 / 64.0;
+    squares_2[2] = squares_3[2] = squares_1[2];
+    variance_linear.rgb = max(glimpse_variance(s1.rgb, s0.rgb, squares_1, sum, rays),
+                              glimpse_variance(s2.rgb, s0.rgb, squares_2, sum, rays));
+    variance_s3.rgb = glimpse_variance(s3.rgb, s0.rgb, squares_3, sum, rays);
 #endif
     return true;
 }
