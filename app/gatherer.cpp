@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 
 // A picture of bins alone is smooth, so few draws of rays are no improvement on it but where it is wrong.
 constexpr std::uint32_t first_draws_of_smooth = 16, first_draws_of_sharp = 4;
-constexpr int shares_of_leisure = 5;  // one for the eye, four for the photons
+constexpr int shares_of_leisure = 8;  // one for the eye, seven for the photons
 
 bool has_gloss_or_glass(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
@@ -94,12 +94,15 @@ void Gatherer::work(const std::stop_token& quit) {
     }
 }
 
-// Also where a thread that draws at its leisure rests: four times as long as it has worked.
+// Also where a thread that draws at its leisure rests, seven times as long as it has worked.
 bool Gatherer::asked_to_stop() {
     thread_local Clock::time_point last = Clock::now();
     if (at_leisure_) {
-        const auto worked = std::min<Clock::duration>(Clock::now() - last, std::chrono::milliseconds(10));
-        if (!stop_) std::this_thread::sleep_for((shares_of_leisure - 1) * worked);
+        // A thread's first call finds the end of another picture, so that work is counted to a second at most.
+        constexpr Clock::duration nap = std::chrono::milliseconds(5), most_work = std::chrono::seconds(1);
+        const Clock::time_point now = Clock::now();
+        const Clock::time_point until = now + (shares_of_leisure - 1) * std::min(now - last, most_work);
+        while (!stop_ && Clock::now() < until) std::this_thread::sleep_for(nap);
     }
     last = Clock::now();
     return stop_.load(std::memory_order_relaxed);

@@ -20,7 +20,7 @@ struct GatheredPicture {
 };
 
 /// Follows rays from the eye beside the window while nothing moves, at the lowest priority: to full_draws as fast as it
-/// can, from there to most_draws in a fifth of the time. Pictures come in powers of two of draws; each doubling reads
+/// can, from there to most_draws in an eighth of the time. Pictures come in powers of two of draws; each doubling reads
 /// the newest bins, and draws of bins with fewer than half of their photons are dropped. All calls return at once; a
 /// picture that is no longer wanted is left within milliseconds.
 class Gatherer {

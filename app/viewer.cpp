@@ -22,6 +22,7 @@ namespace {
 
 constexpr double rest_after = 0.15;                // seconds without motion
 constexpr double seconds_between_presents = 0.25;  // at rest
+constexpr double seconds_between_numbers = 1;      // where nothing but the panels' numbers goes on
 constexpr double gather_after = 0.3;               // seconds without motion
 constexpr double gather_bins_after = 2;            // seconds after their first photons
 constexpr double seconds_between_file_looks = 1;
@@ -33,7 +34,7 @@ constexpr int draws_before_change = 8;
 /// long is left to them before the next.
 constexpr double slow_frame = 0.02;                         // seconds
 constexpr double slow_present = 0.005, longest_nap = 0.02;  // seconds
-constexpr int bands_of_slow_draw = 5;
+constexpr int bands_of_slow_draw = 8;
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
 constexpr float wheel_radius = 58;  // pixels at scale 1
 
@@ -162,7 +163,7 @@ double Viewer::patience() const {
     if (taken_) return taken_->of_rays() ? 0.05 : 0;
     if (session_.stale() || session_.saving() || file_.reading()) return 0.005;
     const bool tracing = session_.engine() && session_.engine()->progress().running;
-    return tracing ? seconds_between_presents : seconds_between_file_looks;
+    return tracing && !canvas_.gathered() ? seconds_between_presents : seconds_between_file_looks;
 }
 
 bool Viewer::moving() const {
@@ -404,7 +405,7 @@ void Viewer::draw() {
     const bool drawn = drawing_wanted();
     const Rendition needed = Canvas::needed(view_, comparing_);
     // At rest nobody waits for a whole draw, but somebody may come.
-    const bool whole = in_motion || fresh() || !resolution_.half() || picture.draws(needed) == 0;
+    const bool whole = in_motion || fresh() || !resolution_.half();
     if (drawn) {
         const int before = picture.draws(needed);
         if (whole)
@@ -413,16 +414,19 @@ void Viewer::draw() {
             picture.draw_band(bands_of_slow_draw, needed);
         if (picture.draws(needed) > before) improved_ = true;
     }
-    const bool due = begin - last_present_ >= seconds_between_presents;
+    const double since = begin - last_present_;
     const bool running = session_.engine() && session_.engine()->progress().running;
-    const bool better = improved_ && (picture.draws(needed) >= draws_to_present_);
-    if (must_present_ || in_motion || (due && (better || running))) {
+    const bool better = improved_ && (canvas_.gathered() || picture.draws(needed) >= draws_to_present_);
+    const bool due = since >= (better || !canvas_.gathered() ? seconds_between_presents : seconds_between_numbers);
+    // What was there stays until the first draw has all of its bands.
+    const bool whole_picture = canvas_.gathered() || picture.draws(needed) > 0 || !drawn;
+    if (whole_picture && (must_present_ || in_motion || (due && (better || running)))) {
         present();
     } else if (drawn) {
         picture.finish();
     }
     const double took = seconds_now() - begin;
-    pause_ = !in_motion && drawn && (took > slow_frame || !whole) ? 3 * took : 0;
+    pause_ = !in_motion && drawn && whole_picture && (took > slow_frame || !whole) ? 3 * took : 0;
     if (drawn && whole && !keeps_resolution_) resolution_.frame_took(took);
     if (in_motion && drawn) frame_seconds_ = took;
     // Frames of sliders could follow each other without a pause; photons that are waited for need one.
