@@ -163,7 +163,8 @@ double Viewer::patience() const {
     if (taken_) return taken_->of_rays() ? 0.05 : 0;
     if (session_.stale() || session_.saving() || file_.reading()) return 0.005;
     const bool tracing = session_.engine() && session_.engine()->progress().running;
-    return tracing && !canvas_.gathered() ? seconds_between_presents : seconds_between_file_looks;
+    if (!tracing) return seconds_between_file_looks;
+    return canvas_.gathered() ? seconds_between_numbers : seconds_between_presents;
 }
 
 bool Viewer::moving() const {

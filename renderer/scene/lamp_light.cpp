@@ -22,6 +22,15 @@ std::size_t index_of(const std::vector<Element>& cumulative, double x, const Sha
     return static_cast<std::size_t>(at - cumulative.begin());
 }
 
+/// Densities of a direction, 1/sr, of a lamp with that probability: to a point on `area` square metres, or one of the
+/// triangle that is `share` of the lamp.
+double density_by_area(double choice, double distance, double cosine, double area) {
+    return choice * distance * distance / (cosine * area);
+}
+double density_by_solid_angle(double choice, double share, const SphericalTriangle& seen) {
+    return choice * share / seen.solid_angle();
+}
+
 // 1 - cos of the disc's radius, without cancellation.
 double versine_of(const Lamp& sun) {
     const double half = std::sin(0.5 * static_cast<double>(sun.angular_radius));
@@ -152,7 +161,8 @@ std::optional<LampLight> LampLights::sample_lamp(std::size_t index, const Vector
     light.direction = (1 / light.distance) * way;
     const double cosine = -dot(facet.normal, light.direction);
     if (!(cosine > 0)) return {};
-    light.pdf = light.choice * light.distance * light.distance / (cosine * scene_.charts[lamp.chart].area);
+    light.pdf =
+        density_by_area(light.choice, light.distance, cosine, static_cast<double>(scene_.charts[lamp.chart].area));
     if (!std::isfinite(light.pdf)) return {};
     return light;
 }
@@ -174,7 +184,7 @@ bool LampLights::sample_near(const Facet& facet, const Vector<double>& point, do
     const double cosine = -dot(facet.normal, light.direction);
     light.distance = dot(facet.normal, point - facet.shape.corner) / cosine;
     if (cosine > 0 && light.distance > 0 && std::isfinite(light.distance))
-        light.pdf = light.choice * (facet.share - facet.before) / seen->solid_angle();
+        light.pdf = density_by_solid_angle(light.choice, facet.share - facet.before, *seen);
     return true;
 }
 
@@ -187,8 +197,8 @@ double LampLights::pdf_of_area(std::uint32_t chart, std::uint32_t triangle, cons
     const Facet& facet = facets_[lamp][triangle - scene_.charts[chart].first_triangle];
     if (facet.is_near(point))
         if (const std::optional<SphericalTriangle> seen = facet.seen_from(point))
-            return choice_[lamp] * (facet.share - facet.before) / seen->solid_angle();
-    return choice_[lamp] * distance * distance / (cosine * scene_.charts[chart].area);
+            return density_by_solid_angle(choice_[lamp], facet.share - facet.before, *seen);
+    return density_by_area(choice_[lamp], distance, cosine, static_cast<double>(scene_.charts[chart].area));
 }
 
 std::optional<LampLight> LampLights::disc_seen(std::uint32_t index, const Vector<double>& direction) const {

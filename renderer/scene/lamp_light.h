@@ -28,7 +28,7 @@ class LampLights {
     bool any() const { return !cumulative_.empty(); }
 
     /// One lamp by its power and a direction towards it, from three numbers in [0, 1): area lamps by area, but near
-    /// triangles by solid angle, or the light of what touches a lamp would have no variance; suns by their disc. None
+    /// triangles by solid angle, or the light of what touches a lamp would vary without bound; suns by their disc. None
     /// where the point is behind the lamp or outside its cone.
     std::optional<LampLight> sample(const Vector<double>& point, double choice, double u, double v) const;
 
