@@ -192,12 +192,12 @@ void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& nu
            std::array<Onwards, 2>& onwards, std::size_t i) {
     const SurfacePoint<Real> at = surface_point<Real>(material, inside, level, i);
     ScatterNumbers<Real> drawn;
-    drawn.choice = drawn.facet_w = load<Real>(&numbers.choice[i]);
+    drawn.choice = load<Real>(&numbers.choice[i]);
     drawn.facet_u = load<Real>(&numbers.facet_u[i]);
     drawn.facet_v = load<Real>(&numbers.facet_v[i]);
     drawn.slope = load<Real>(&numbers.slope[i]);
     if (material.base != Base::transparent) {
-        take_way(sample_gloss<band_count>(material, at, drawn), 0, level, onwards[0], i);
+        take_way(sample_gloss<band_count, FacetDraw::smooth>(material, at, drawn), 0, level, onwards[0], i);
         return;
     }
     const Real eagerness = load<Real>(&level.eagerness[i]);

@@ -56,6 +56,20 @@ struct FacetReflection {
     Real cos_r;              ///< its cosine against the mean normal; absorbed where <= 0
 };
 
+/// Reflects a photon going along `direction` at the facet of these slopes over m.
+template <class Real>
+[[gnu::always_inline]] inline FacetReflection<Real> reflection_at(const Vector<Real>& direction,
+                                                                  const Vector<Real>& normal,
+                                                                  const PlaneOfIncidence<Real>& plane, const Real& m,
+                                                                  const FacetSlopes<Real>& slopes) {
+    // Towards the source is s x N, across is s itself.
+    const Vector<Real> towards = cross(plane.axis, normal);
+    const Vector<Real> facet =
+        normalized(add_scaled(m * slopes.along, towards, add_scaled(m * slopes.across, plane.axis, normal)));
+    const Vector<Real> out = reflected(direction, facet);
+    return {facet, out, dot(out, normal)};
+}
+
 /// Draws a facet for a photon going along `plane`'s direction k that meets the mean surface `normal` with cosine
 /// plane.cos_theta_i: facet density G1(i) D (i.h)/cos_i, direction density G1(i) D/(4 cos_i).
 template <class Real>
@@ -64,13 +78,7 @@ template <class Real>
                                                                  const PlaneOfIncidence<Real>& plane, const Real& m,
                                                                  const Real& u0, const Real& u1, const Real& u2) {
     const Real h = cotangent_over_slope(plane.cos_theta_i, m);
-    const FacetSlopes<Real> slopes = sample_visible_slopes(h, u0, u1, u2);
-    // Towards the source is s x N, across is s itself.
-    const Vector<Real> towards = cross(plane.axis, normal);
-    const Vector<Real> facet =
-        normalized(add_scaled(m * slopes.along, towards, add_scaled(m * slopes.across, plane.axis, normal)));
-    const Vector<Real> out = reflected(direction, facet);
-    return {facet, out, dot(out, normal)};
+    return reflection_at(direction, normal, plane, m, sample_visible_slopes(h, u0, u1, u2));
 }
 
 /// Everything model V needs of a pair of directions.

@@ -1,5 +1,6 @@
 #pragma once
 #include "optics/axis_across.h"
+#include "optics/inverted_slopes.h"
 #include "optics/planar_mueller.h"
 #include "optics/thin_pane.h"
 #include "scene/prepared_material.h"
@@ -19,6 +20,10 @@
 namespace brewster {
 
 enum class Use { light, eye };
+
+/// How facets are drawn: quickly, or so that near numbers give near facets, from two of the numbers of a facet (not for
+/// double).
+enum class FacetDraw { quick, smooth };
 
 template <class Real>
 using MaskOf = decltype(std::declval<Real>() < std::declval<Real>());
@@ -139,7 +144,7 @@ Real base_probability(const PreparedMaterial& material, const Real& cos_towards)
 }
 
 /// Fills in a sharp or rough reflection without any choice: weight f cos / pdf.
-template <std::size_t bands, class Real>
+template <FacetDraw draw, std::size_t bands, class Real>
 ScatterSample<Real, bands> sample_interface(const PreparedMaterial& material, const SurfacePoint<Real>& at,
                                             const PlaneOfIncidence<Real>& plane, const ScatterNumbers<Real>& numbers) {
     ScatterSample<Real, bands> sample;
@@ -163,8 +168,13 @@ ScatterSample<Real, bands> sample_interface(const PreparedMaterial& material, co
         mirror = !(drawn > 0);
         slope = select(mirror, Real(1), drawn);
     }
-    const FacetReflection<Real> met =
-        sample_facet(arriving, at.normal, plane, slope, numbers.facet_u, numbers.facet_v, numbers.facet_w);
+    const Real h = cotangent_over_slope(cos_towards, slope);
+    FacetSlopes<Real> slopes;
+    if constexpr (draw == FacetDraw::smooth)
+        slopes = inverted_visible_slopes(h, numbers.facet_u, numbers.facet_v);
+    else
+        slopes = sample_visible_slopes(h, numbers.facet_u, numbers.facet_v, numbers.facet_w);
+    const FacetReflection<Real> met = reflection_at(arriving, at.normal, plane, slope, slopes);
     const PlaneOfIncidence<Real> facet_plane = plane_of_incidence(arriving, at.carried_axis, met.facet);
     sample.sharp = mirror;
     sample.direction = select(mirror, reflected(arriving, at.normal), met.direction);
@@ -304,11 +314,11 @@ inline bool has_gloss(const PreparedMaterial& material) {
 
 /// The interface's own reflection, gloss or mirror, without any choice: weight f cos / pdf, at most 1 (bands of a
 /// Kirchhoff surface: 3). Not for transparent materials; dead without an interface.
-template <std::size_t bands, class Real>
+template <std::size_t bands, FacetDraw draw = FacetDraw::quick, class Real>
 ScatterSample<Real, bands> sample_gloss(const PreparedMaterial& material, const SurfacePoint<Real>& at,
                                         const ScatterNumbers<Real>& numbers) {
     const PlaneOfIncidence<Real> plane = plane_of_incidence(-at.towards, at.carried_axis, at.normal);
-    ScatterSample<Real, bands> sample = bsdf_detail::sample_interface<bands>(material, at, plane, numbers);
+    ScatterSample<Real, bands> sample = bsdf_detail::sample_interface<draw, bands>(material, at, plane, numbers);
     sample.alive = sample.alive && dot(at.towards, at.normal) > constant<Real>(1e-6);
     if (!material.reflects()) sample.alive = plane.cos_theta_i < Real(-1);
     return sample;

@@ -8,6 +8,7 @@
 
 #include "optics/effective_roughness.h"
 #include "optics/fresnel.h"
+#include "optics/inverted_slopes.h"
 #include "optics/poisson_lobes.h"
 #include "optics/rough_interface.h"
 #include "optics/thesis_sampler.h"
@@ -183,6 +184,12 @@ SAME_BITS(VisibleNormals, {
     const auto out = sample_facet(k, n, plane, constant<Real>(0.01) + u[1], u[2], u[3], u[4]);
     return std::array{out.direction.x, out.direction.y, out.direction.z, out.cos_r,
                       out.facet.x,     out.facet.y,     out.facet.z};
+})
+
+SAME_BITS(InvertedSlopes, {
+    const auto slopes = inverted_visible_slopes(u[0] * 4, u[1], u[2]);
+    const auto normal = inverted_visible_slopes(constant<Real>(1e15) * u[3], u[1], u[2]);
+    return std::array{slopes.along, slopes.across, normal.along};
 })
 
 SAME_BITS(BeckmannLobe, {
