@@ -252,7 +252,8 @@ class Reader {
             const auto [at, is_new] =
                 known.try_emplace({from.node, from.material, placed.normals.empty()}, parts.size());
             if (is_new) {
-                parts.push_back({from.node_name, from.mesh_name, from.material, {}, {}, {}, from.axis_x, from.axis_y});
+                parts.push_back(
+                    {from.node_name, from.mesh_name, from.material, {}, {}, {}, {}, {}, from.axis_x, from.axis_y});
                 looks.emplace_back();
             }
             Part& part = parts[at->second];
@@ -264,6 +265,8 @@ class Reader {
         }
         std::size_t without_area = 0;
         for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (looks[i].textured) parts[i].texture_coordinates = looks[i].coordinates;
+            if (looks[i].coloured) parts[i].colors = looks[i].colors;
             without_area += add_surfaces(scene_, parts[i]);
             add_look(looks[i]);
         }

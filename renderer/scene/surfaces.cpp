@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/bounding_rectangle.h"
+#include "scene/merged_triangles.h"
 #include "scene/patches.h"
 #include "scene/planes.h"
 #include "scene/smooth_edges.h"
@@ -136,6 +137,18 @@ Chart back_of(Chart chart) {
     return chart;
 }
 
+// The triangles of a chart, those of a plane as few as it needs.
+std::vector<std::array<std::uint32_t, 3>> members_of(const Part& part,
+                                                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                                     const Group& group, double inset) {
+    if (!group.curved)
+        return merged_triangles(part.vertices, {part.normals, part.texture_coordinates, part.colors}, triangles,
+                                group.plane, 0.5 * inset);
+    std::vector<std::array<std::uint32_t, 3>> members;
+    for (const std::uint32_t t : group.plane.triangles) members.push_back(triangles[t]);
+    return members;
+}
+
 glm::vec3 margin_of(const Shape& shape, double delta) {
     glm::vec3 margin;
     for (int k = 0; k < 3; ++k) {
@@ -168,8 +181,8 @@ std::size_t add_surfaces(Scene& scene, const Part& part) {
     }
     std::uint32_t surface = scene.triangles.empty() ? 0 : scene.triangles.back().surface + 1;
     for (const Group& group : groups_of(part, triangles)) {
-        const std::vector<std::uint32_t>& members = group.plane.triangles;
         Chart front = chart_of(part, triangles, group);
+        const std::vector<std::array<std::uint32_t, 3>> members = members_of(part, triangles, group, hit_inset(front));
         front.surface = surface++;
         front.first_triangle = static_cast<std::uint32_t>(scene.triangles.size());
         front.triangle_count = static_cast<std::uint32_t>(members.size());
@@ -179,9 +192,9 @@ std::size_t add_surfaces(Scene& scene, const Part& part) {
         // The skin of a transparent body is met from inside as well.
         const Material& material = scene.materials[part.material];
         if (material.double_sided || material.base == Base::transparent) sides.back_chart = sides.front_chart + 1;
-        for (const std::uint32_t t : members) {
-            for (std::size_t k = 0; k < 3; ++k) sides.vertices[k] = first_vertex + triangles[t][k];
-            sides.margin = margin_of(shape_of(part.vertices, triangles[t]), hit_inset(front));
+        for (const auto& triangle : members) {
+            for (std::size_t k = 0; k < 3; ++k) sides.vertices[k] = first_vertex + triangle[k];
+            sides.margin = margin_of(shape_of(part.vertices, triangle), hit_inset(front));
             scene.triangles.push_back(sides);
         }
         scene.charts.push_back(front);

@@ -112,6 +112,36 @@ GltfBuilder room_with_t_junctions() {
     return file;
 }
 
+// A turned room whose sides are each cut into 7 x 7 squares, the middle 3 x 3 of which are a mesh of their own: each
+// becomes a frame and what fills it, cut along lines on which rounding has moved the vertices.
+GltfBuilder room_of_cut_walls() {
+    GltfBuilder file;
+    file.add_material("grey", {0.5, 0.5, 0.5});
+    const glm::dvec3 x = glm::normalize(glm::dvec3(0.3, 0.7, -0.2));
+    const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(0.1, -0.5, 0.9))), z = glm::cross(x, y);
+    constexpr std::uint32_t parts = 7;
+    for (int side = 0; side < 6; ++side) {
+        const std::array<glm::dvec3, 3> axes = {x, y, z};
+        const glm::dvec3 out = (side < 3 ? 1.0 : -1.0) * axes[static_cast<std::size_t>(side % 3)],
+                         u = axes[static_cast<std::size_t>((side + 1) % 3)], v = glm::cross(u, out);
+        std::vector<glm::vec3> points;
+        for (std::uint32_t j = 0; j <= parts; ++j)
+            for (std::uint32_t i = 0; i <= parts; ++i)
+                points.emplace_back(out + (2.0 * i / parts - 1) * u + (2.0 * j / parts - 1) * v);
+        std::vector<std::array<std::uint32_t, 3>> frame, filling;
+        for (std::uint32_t j = 0; j < parts; ++j)
+            for (std::uint32_t i = 0; i < parts; ++i) {
+                const std::uint32_t a = j * (parts + 1) + i, up = a + parts + 1;
+                auto& to = i >= 2 && i < 5 && j >= 2 && j < 5 ? filling : frame;
+                to.push_back({a, a + 1, up + 1});
+                to.push_back({a, up + 1, up});
+            }
+        file.add_mesh("frame " + std::to_string(side), points, frame);
+        file.add_mesh("filling " + std::to_string(side), points, filling);
+    }
+    return file;
+}
+
 GltfBuilder room_with_a_block() {
     GltfBuilder file = turned_room();
     file.add_box("block", {0.2f, -0.4f, -0.7f}, {0.6f, 0.3f, 0.1f}, false);  // stands on the floor
@@ -142,6 +172,14 @@ TEST(Rays, ABoxFarFromTheOriginDoesNotLeak) {
 TEST(Rays, TJunctionsDoNotLeak) {
     const Leaks leaks = bounce(scene_of(room_with_t_junctions()), leak_rays());
     EXPECT_EQ(leaks.escaped, 0u) << "of " << leaks.rays;
+}
+
+TEST(Rays, CutWallsDoNotLeak) {
+    const Scene scene = scene_of(room_of_cut_walls());
+    EXPECT_EQ(scene.triangles.size(), 6u * (8 + 2));
+    const Leaks leaks = bounce(scene, leak_rays());
+    EXPECT_EQ(leaks.escaped, 0u) << "of " << leaks.rays;
+    EXPECT_EQ(leaks.behind, 0u);
 }
 
 TEST(Rays, ABlockOnTheFloorDoesNotLeak) {
