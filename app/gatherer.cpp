@@ -17,7 +17,9 @@ using Clock = std::chrono::steady_clock;
 
 // A picture of bins alone is smooth, so few draws of rays are no improvement on it but where it is wrong.
 constexpr std::uint32_t first_draws_of_smooth = 16, first_draws_of_sharp = 4;
-constexpr int shares_of_leisure = 8;  // one for the eye, seven for the photons
+// Shares are rounded, so that the mean is not exactly what was asked for.
+constexpr double settled_draws = 0.9 * Gatherer::full_draws, last_draws = 0.9 * Gatherer::most_draws;
+constexpr int shares_of_leisure = 12;  // one for the eye, the others for the photons
 
 bool has_gloss_or_glass(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
@@ -50,13 +52,14 @@ Gatherer::~Gatherer() {
 }
 
 void Gatherer::want(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Snapshot>& bins,
-                    const Camera& camera, int width, int height) {
+                    const Camera& camera, int width, int height, bool photons_fly) {
     const bool same = presented_ && presented_->scene == scene && same_pose(presented_->camera, camera) &&
                       presented_->width == width && presented_->height == height &&
                       presented_->bins->photons <= bins->photons;
     presented_ = Wish{scene, bins, camera, width, height};
     const std::lock_guard lock(mutex_);
     newest_ = bins;
+    photons_fly_ = photons_fly;
     if (!same) {
         wish_ = presented_;
         ready_ = {};
@@ -68,9 +71,10 @@ void Gatherer::want(const std::shared_ptr<const Scene>& scene, const std::shared
 void Gatherer::stop() {
     if (!presented_) return;
     presented_.reset();
+    std::optional<GatheredPicture> unwanted;
     const std::lock_guard lock(mutex_);
     wish_.reset();
-    ready_ = {};
+    ready_.swap(unwanted);
     stop_ = true;
     work_to_do_.notify_all();
 }
@@ -94,7 +98,8 @@ void Gatherer::work(const std::stop_token& quit) {
     }
 }
 
-// Also where a thread that draws at its leisure rests, seven times as long as it has worked.
+// Also where a thread that draws at its leisure rests, so many times as long as it has worked. Without photons there is
+// no leisure.
 bool Gatherer::asked_to_stop() {
     thread_local Clock::time_point last = Clock::now();
     if (at_leisure_) {
@@ -102,10 +107,10 @@ bool Gatherer::asked_to_stop() {
         constexpr Clock::duration nap = std::chrono::milliseconds(5), most_work = std::chrono::seconds(1);
         const Clock::time_point now = Clock::now();
         const Clock::time_point until = now + (shares_of_leisure - 1) * std::min(now - last, most_work);
-        while (!stop_ && Clock::now() < until) std::this_thread::sleep_for(nap);
+        while (!stop_ && photons_fly_ && Clock::now() < until) std::this_thread::sleep_for(nap);
     }
     last = Clock::now();
-    return stop_.load(std::memory_order_relaxed);
+    return stop_ || (at_leisure_ && !photons_fly_);
 }
 
 void Gatherer::gather(const Wish& wish) {
@@ -122,25 +127,34 @@ void Gatherer::gather(const Wish& wish) {
     while (true) {
         const double before = gather.draws();
         if (before == 0) photons = bins->photons;
-        if (before < most_draws) {
+        std::optional<GatheredPicture> made;
+        const auto enough = [&] { return before >= (photons_fly_ ? last_draws : settled_draws); };
+        const bool known = shown == 0 && before >= least;  // from an earlier wish
+        bool drawn = false;
+        if (!known && !enough()) {
             const std::uint32_t draws = std::max(1u, 2 * static_cast<std::uint32_t>(std::lround(before)));
-            at_leisure_ = draws > full_draws;
-            if (!gather.draw(draws, threads, [this] { return asked_to_stop(); })) return;
-            if (gather.draws() >= std::max(least, 0.9 * std::min<double>(shown, full_draws))) {
-                shown = gather.draws();
-                auto light = std::make_shared<const StokesPicture>(gather.picture());
-                const std::lock_guard lock(mutex_);
-                if (stop_) return;
-                ready_ = GatheredPicture{std::move(light), photons};
-                Window::wake();
-            }
+            at_leisure_ = photons_fly_ && std::max(shown, before) >= settled_draws;
+            drawn = gather.draw(draws, threads, [this] { return asked_to_stop(); });
         }
-        std::unique_lock lock(mutex_);
-        if (gather.draws() >= most_draws)  // nothing to do before the photons have doubled
-            work_to_do_.wait(lock, [&] { return stop_ || newest_->photons / 2 > photons; });
-        if (stop_) return;
-        bins = newest_;
-        lock.unlock();
+        if (known || (drawn && gather.draws() >= std::max(least, std::min(shown, settled_draws)))) {
+            shown = gather.draws();
+            made = GatheredPicture{std::make_shared<const StokesPicture>(gather.picture()), photons};
+        }
+        const bool better = made.has_value();
+        std::shared_ptr<const Snapshot> newer;
+        {
+            std::unique_lock lock(mutex_);
+            if (!better) work_to_do_.wait(lock, [&] { return stop_ || !enough() || newest_->photons / 2 > photons; });
+            if (stop_) return;
+            if (better) ready_.swap(made);
+            newer = newest_;
+        }
+        // Not before: the window's thread would wait for this one, which it has just pushed aside, to let go.
+        if (better) Window::wake();
+        // A picture that is well begun is finished: where photons double sooner than it does, none ever would be.
+        const bool begun = gather.draws() >= (at_leisure_ ? 1 : Gather::pilot_draws);
+        if (begun && gather.draws() < settled_draws && newer->photons / 2 > photons) continue;
+        bins = std::move(newer);
         gather.show(bins);
     }
 }

@@ -20,8 +20,9 @@ struct GatheredPicture {
 };
 
 /// Follows rays from the eye beside the window while nothing moves, at the lowest priority: to full_draws as fast as it
-/// can, from there to most_draws in an eighth of the time. Pictures come in powers of two of draws; each doubling reads
-/// the newest bins, and draws of bins with fewer than half of their photons are dropped. All calls return at once; a
+/// can, all that comes after in a twelfth of the time: up to most_draws, and the same anew once the photons have doubled.
+/// Pictures come in powers of two of draws; each doubling reads the newest bins, but what was begun is brought to
+/// full_draws first where bins have become so much better that it would have to be dropped. All calls return at once; a
 /// picture that is no longer wanted is left within milliseconds.
 class Gatherer {
   public:
@@ -32,9 +33,10 @@ class Gatherer {
     Gatherer(const Gatherer&) = delete;
     Gatherer& operator=(const Gatherer&) = delete;
 
-    /// What to gather: goes on where it is the same but for more photons, begins anew where it is not.
+    /// What to gather: goes on where it is the same but for more photons, begins anew where it is not. Where no
+    /// `photons_fly` any more, full_draws are enough.
     void want(const std::shared_ptr<const Scene>& scene, const std::shared_ptr<const Snapshot>& bins,
-              const Camera& camera, int width, int height);
+              const Camera& camera, int width, int height, bool photons_fly);
     void stop();
 
     /// The newest picture of what is wanted, once; none if it has not become better.
@@ -61,7 +63,7 @@ class Gatherer {
     std::optional<Wish> wish_;                ///< guarded; what the worker is to do next
     std::shared_ptr<const Snapshot> newest_;  ///< guarded; bins of what it does now
     std::optional<GatheredPicture> ready_;    ///< guarded
-    std::atomic<bool> stop_ = false, at_leisure_ = false;
+    std::atomic<bool> stop_ = false, at_leisure_ = false, photons_fly_ = true;
     std::jthread worker_;
 };
 

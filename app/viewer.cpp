@@ -34,7 +34,7 @@ constexpr int draws_before_change = 8;
 /// long is left to them before the next.
 constexpr double slow_frame = 0.02;                         // seconds
 constexpr double slow_present = 0.005, longest_nap = 0.02;  // seconds
-constexpr int bands_of_slow_draw = 8;
+constexpr int bands_of_slow_draw = 16;
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
 constexpr float wheel_radius = 58;  // pixels at scale 1
 
@@ -382,12 +382,12 @@ void Viewer::gather_at_rest() {
     }
     const bool still = seconds_now() - last_motion_ >= gather_after && !navigation_.dragging();
     // At first photons double faster than rays could follow.
-    const bool ripe = seconds_now() - bins_since_ >= gather_bins_after ||
-                      (session_.engine() && !session_.engine()->progress().running);
+    const bool photons_fly = session_.engine() && session_.engine()->progress().running;
+    const bool ripe = seconds_now() - bins_since_ >= gather_bins_after || !photons_fly;
     const auto bins = session_.snapshot();
     if (!view_.of_rays() || !still || !ripe || taken_ || !bins || bins_generation_ != session_.generation())
         return gatherer_.stop();
-    gatherer_.want(scene_, bins, view_.camera, size.x, size.y);
+    gatherer_.want(scene_, bins, view_.camera, size.x, size.y, photons_fly);
     if (std::optional<GatheredPicture> gathered = gatherer_.take())
         canvas_.show_gathered(std::move(gathered->light), gathered->photons);
 }

@@ -1,4 +1,4 @@
-// One draw's share of the sums over all draws; blending adds.
+// One draw's share of the sums over all draws; blending adds. The alpha of S0 counts them.
 
 uniform sampler2D drawn_s0;
 layout(location = 0) out vec4 sum;
@@ -18,7 +18,7 @@ layout(location = 7) out vec4 sum_of_variances_s3;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    sum = texelFetch(drawn_s0, pixel, 0);
+    sum = vec4(texelFetch(drawn_s0, pixel, 0).rgb, 1.0);
 #ifndef BREWSTER_CELLS
     sum_of_squares = sum * sum;
     sum_of_variances = texelFetch(drawn_variance, pixel, 0);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <glm/vec2.hpp>
 
 #include "display/light_textures.h"
 #include "image/stokes_picture.h"
@@ -26,9 +27,9 @@ class GatheredLight {
     enum Part { variance_s0 = plane_count, variance_linear, variance_s3, variance_unpolarized, part_count };
     struct Side {
         std::array<Texture, part_count> parts;
-        int width = 0, height = 0;
+        std::array<glm::ivec2, part_count> sizes{};
     };
-    static void make_room(Side& side, int width, int height);
+    static void make_room(Side& side, std::size_t part, glm::ivec2 size);
 
     std::array<Side, 2> sides_;
     std::size_t shown_ = 0;

@@ -220,7 +220,6 @@ LightTextures Picture::light() const {
         world.s0 = drawn->texture(Layer::s0);
         world.variance_s0 = drawn->texture(Layer::variance_s0);
         world.squares_s0 = drawn->texture(Layer::squares_s0);
-        world.draws = static_cast<float>(drawn->draws());
         if (drawn->kind() == LayerKind::radiance) return world;
         world.s1 = drawn->texture(Layer::s1);
         world.s2 = drawn->texture(Layer::s2);
@@ -231,10 +230,7 @@ LightTextures Picture::light() const {
     };
     textures.polarized = world_of(polarized);
     textures.unpolarized = world_of(unpolarized);
-    if (const Layer* drawn = drawn_layer(cells)) {
-        textures.cells = drawn->texture(Layer::s0);
-        textures.cells_draws = static_cast<float>(drawn->draws());
-    }
+    if (const Layer* drawn = drawn_layer(cells)) textures.cells = drawn->texture(Layer::s0);
     return textures;
 }
 
@@ -254,13 +250,16 @@ void Picture::finish() const {
 }
 
 float Picture::exposure_of(const Camera& camera) {
-    Rendition off;
-    off.polarization = false;
-    look(camera, 128, 96);
-    forget();
-    draw(4, off);
+    const Part part = place_of(unpolarized);
+    Layer::Drawing kept = layer(part).exchange({});
+    const Camera kept_camera = std::exchange(camera_, camera);
+    const int kept_width = std::exchange(width_, 128), kept_height = std::exchange(height_, 96);
+    for (int i = 0; i < 4; ++i) draw_part(part, 1);
     const float exposure = auto_exposure(stokes(false));
-    forget();
+    layers_[part]->exchange(std::move(kept));
+    camera_ = kept_camera;
+    width_ = kept_width;
+    height_ = kept_height;
     return exposure;
 }
 

@@ -62,7 +62,8 @@ class Picture {
     /// back to a world costs nothing. The first draw looks through the pixels' centres, but 1/128 to the upper left, the
     /// next all over the pixels; 64, or a multiple, see edges best.
     void draw(int count = 1, const Rendition& rendition = {});
-    /// A step towards one more draw, of which each takes so many: nobody has to wait for a whole one.
+    /// A step towards one more draw, of which each takes so many: nobody has to wait for a whole one. Bands of rows, from
+    /// below, that have it already show it.
     void draw_band(int bands, const Rendition& rendition);
     /// For measuring what looking into the bins costs: they say the same everywhere from now on, or what they hold.
     void make_flat(bool flat);
@@ -80,7 +81,7 @@ class Picture {
     Image stokes(bool polarization = true) const;
 
     /// auto_exposure of what this camera sees in the unpolarized world, from a small picture of its own size: the same
-    /// for every use of the bins. Forgets the draws so far.
+    /// for every use of the bins. Leaves the picture as it is.
     float exposure_of(const Camera& camera);
 
   private:

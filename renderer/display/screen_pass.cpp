@@ -61,8 +61,6 @@ void ScreenPass::show(const Screen& screen, const LightTextures& light, const Re
     bind("variance_s3", world.variance_s3);
     bind("squares_s0", world.squares_s0);
     set("has_squares", world.squares_s0 != 0 ? 1 : 0);
-    set("draws", cells ? light.cells_draws : world.draws);
-    set("unpolarized_draws", light.unpolarized.draws);
     set("palette", static_cast<int>(rendition.palette));
     set("analyzer", analyzer);
     set("exposure", rendition.exposure);

@@ -15,6 +15,7 @@
 namespace brewster {
 namespace {
 
+constexpr double shares_of_publication = 20;  // of the conductor's time, one for publishing: photons need its processor
 constexpr std::uint64_t one_part_in_50 = 50;  // batches of a tree that asks its halves as often as it can
 
 KernelChoice chosen_kernel(const Scene& scene, const std::vector<PreparedMaterial>& materials, const Needs& needs,
@@ -118,17 +119,23 @@ void Engine::Impl::work(unsigned index) {
     while (!quit) {
         std::uint64_t begin = 0, end = 0;
         if (handed_over[index] != hand_over) {
+            const std::uint64_t wish = hand_over;
             // Leaves change only when every tally is at zero, so resizing loses nothing.
             if (own.counts.photons > 0) {
-                sums.entry.take(own.entry);
-                sums.gloss.take(own.gloss);
-                sums.guide.take(own.guide);
-                sums.ledger.add(own.ledger);
                 sums.counts.add(own.counts);
+                sums.ledger.add(own.ledger);
                 own.ledger = {};
                 own.counts = {};
+                lock.unlock();  // a window that asks for numbers does not wait for tallies
+                {
+                    const std::lock_guard merging(merge);
+                    sums.entry.take(own.entry);
+                    sums.gloss.take(own.gloss);
+                    sums.guide.take(own.guide);
+                }
+                lock.lock();
             }
-            handed_over[index] = hand_over;
+            handed_over[index] = wish;
             something_done.notify_all();
         }
         if (!take_block(begin, end)) {
@@ -152,13 +159,14 @@ void Engine::Impl::work(unsigned index) {
     }
 }
 
-// Waits until every worker rests or has handed over what it had when asked.
-void Engine::Impl::collect(std::unique_lock<std::mutex>& lock) {
+// Waits until every worker rests or has handed over what it had when asked. False where the engine ends instead.
+bool Engine::Impl::collect(std::unique_lock<std::mutex>& lock) {
     ++hand_over;
     work_to_do.notify_all();
     something_done.wait(lock, [&] {
         return quit || std::all_of(handed_over.begin(), handed_over.end(), [&](auto met) { return met == hand_over; });
     });
+    return !quit;
 }
 
 bool Engine::Impl::rule_holds() const {
@@ -169,18 +177,18 @@ bool Engine::Impl::rule_holds() const {
            newest->relative_error <= *rule.target_error;
 }
 
-// Sums must be collected. Drops the lock while it computes: nobody else changes the tree, and the sums are copied.
+// Sums must be collected. Drops the lock while it computes: nobody else changes the trees, and no worker hands over
+// before it is asked again.
 void Engine::Impl::publish_now(std::unique_lock<std::mutex>& lock) {
     const std::uint64_t photons = sums.counts.photons;
     if (photons == 0 || (newest && newest->photons == photons)) return;
     const bool between_batches = photons == batch.begin();
-    const Tally<2> entry = between_batches ? Tally<2>() : sums.entry;
-    const Tally<4> gloss = between_batches ? Tally<4>() : sums.gloss;
     lock.unlock();
-    auto snapshot = std::make_shared<Snapshot>(publish(
-        bins.entry, bins.entry_fields, between_batches ? nullptr : &entry, photons, flux_per_weight(), settings.bins));
+    auto snapshot =
+        std::make_shared<Snapshot>(publish(bins.entry, bins.entry_fields, between_batches ? nullptr : &sums.entry,
+                                           photons, flux_per_weight(), settings.bins));
     if (kernel.gloss) {
-        snapshot->gloss = publish_gloss(bins.gloss, bins.gloss_fields, between_batches ? nullptr : &gloss, photons,
+        snapshot->gloss = publish_gloss(bins.gloss, bins.gloss_fields, between_batches ? nullptr : &sums.gloss, photons,
                                         flux_per_weight(), settings.bins);
     }
     spread_roots(snapshot->gloss, bins.gloss_charts);
@@ -210,11 +218,18 @@ void Engine::Impl::conduct() {
     if (settings.lowest_priority) lower_priority(Priority::lowest);
     std::unique_lock lock(mutex);
     auto last_publication = Clock::now();
+    double publication_seconds = 0;
+    const auto publish_and_clock = [&] {
+        const auto begin = Clock::now();
+        publish_now(lock);
+        last_publication = Clock::now();
+        publication_seconds = std::chrono::duration<double>(last_publication - begin).count();
+    };
     while (!quit) {
         if (!run) {
             if (!done) {  // paused, stopped or failed: let the blocks in flight end, then show all there is
                 something_done.wait(lock, [&] { return quit || busy == 0; });
-                collect(lock);
+                if (!collect(lock)) break;
                 if (!failure) publish_now(lock);
                 seconds += seconds_since(resumed);
                 done = true;
@@ -228,10 +243,12 @@ void Engine::Impl::conduct() {
         // A look now and then: the rule may hold by time, and a window wants pictures.
         something_done.wait_for(lock, std::chrono::milliseconds(5), [&] { return quit || !run || nothing_left(); });
         if (quit || !run) continue;
-        const bool wanted =
-            settings.snapshot_seconds > 0 && seconds_since(last_publication) >= settings.snapshot_seconds;
+        const bool wanted = settings.snapshot_seconds > 0 &&
+                            seconds_since(last_publication) >=
+                                std::max(settings.snapshot_seconds, shares_of_publication * publication_seconds);
         if (next_photon >= batch.end() && busy == 0) {
-            collect(lock);
+            if (!collect(lock)) break;
+            lock.unlock();  // no worker has photons to take; others may ask for numbers
             bins.entry.absorb(sums.entry);
             bins.entry.split_leaves(batch.end(), settings.bins, bins.gloss.bytes());
             if (kernel.gloss) {
@@ -240,18 +257,19 @@ void Engine::Impl::conduct() {
             }
             if (settings.guided_emission) emission.guide().learn(sums.guide);
             sums.fit(bins, emission.guide());
+            lock.lock();
             count_leaves();
             batch.next();
-            if (!newest || settings.snapshot_seconds > 0 || rule.target_error) {
+            // Until batches have grown to their full length, each makes light much better.
+            const bool much_better = !newest || 4 * batch.begin() >= 5 * newest->photons;
+            if (!newest || rule.target_error || wanted || (settings.snapshot_seconds > 0 && much_better)) {
                 // The next batch may begin meanwhile, unless this picture decides whether it is wanted.
                 if (!rule.target_error && !rule_holds()) open_batch();
-                publish_now(lock);
-                last_publication = Clock::now();
+                publish_and_clock();
             }
         } else if (wanted) {
-            collect(lock);
-            publish_now(lock);
-            last_publication = Clock::now();
+            if (!collect(lock)) break;
+            publish_and_clock();
         }
         if (rule_holds()) run = false;
     }

@@ -20,7 +20,9 @@ struct EngineSettings {
     std::uint64_t seed = 1;
     unsigned threads = 0;          ///< 0: as many as the machine has
     bool lowest_priority = false;  ///< beside a window: workers yield to it
-    double snapshot_seconds = 0;   ///< > 0: publish at least this often; otherwise only the first batches and the end
+    /// > 0: publish about this often, less where that would take more than a twentieth of a thread; otherwise only the
+    /// first batch and the end.
+    double snapshot_seconds = 0;
     BinSettings bins;
     std::size_t window = default_window;  ///< photons that a worker moves at once; 0: one by one, slowly (make_tracer)
     std::vector<std::string> changes;     ///< of the scene since its file was read; only kept with saved solutions

@@ -35,7 +35,7 @@ struct Engine::Impl {
     bool rule_holds() const;
     void publish_now(std::unique_lock<std::mutex>& lock);
     void open_batch();
-    void collect(std::unique_lock<std::mutex>& lock);
+    bool collect(std::unique_lock<std::mutex>& lock);
     void count_leaves();
     glm::dvec3 flux_per_weight() const;
     void write(SolutionWriter& file) const;
@@ -53,6 +53,7 @@ struct Engine::Impl {
 
     mutable std::mutex mutex;
     std::condition_variable work_to_do, something_done;
+    std::mutex merge;  // of tallies into the sums of the batch; taken last
 
     // Guarded by the mutex.
     BatchSequence batch;
@@ -61,7 +62,7 @@ struct Engine::Impl {
     unsigned busy = 0;                       // workers inside a block
     std::uint64_t hand_over = 0;             // a growing wish: hand over what you have
     std::vector<std::uint64_t> handed_over;  // per worker: the wish it has met
-    WorkerSums sums{bins};                   // of the running batch (bins) and of all (ledger, counts)
+    WorkerSums sums{bins};                   // of the running batch (bins; by `merge`) and of all (ledger, counts)
     std::vector<std::uint64_t> photons_by_thread;
     StopRule rule;
     bool run = false;  // the user wants photons

@@ -12,12 +12,12 @@ constexpr int width = 7, height = 5;
 
 class ReadLightTest : public GlTest {
   protected:
-    /// (column, row from the top, value) in every pixel.
-    static Texture texture(float value) {
+    /// (column, row from the top, value) in every pixel, and an alpha.
+    static Texture texture(float value, float alpha = 1) {
         std::vector<float> texels;
         for (int y = height - 1; y >= 0; --y)
             for (int x = 0; x < width; ++x)
-                texels.insert(texels.end(), {static_cast<float>(x), static_cast<float>(y), value, 1.0f});
+                texels.insert(texels.end(), {static_cast<float>(x), static_cast<float>(y), value, alpha});
         Texture made = Texture::create();
         glBindTexture(GL_TEXTURE_2D, made.id());
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels.data());
@@ -26,13 +26,12 @@ class ReadLightTest : public GlTest {
 };
 
 TEST_F(ReadLightTest, FetchesTheVeryPixelsAsMeans) {
-    const Texture s0 = texture(40), s2 = texture(8), squares = texture(1000), variance = texture(4);
+    const Texture s0 = texture(40, 4), s2 = texture(8), squares = texture(1000), variance = texture(4);
     LightTextures light;
     light.polarized.s0 = s0.id();
     light.polarized.s2 = s2.id();
     light.polarized.squares_s0 = squares.id();
     light.polarized.variance_s0 = variance.id();
-    light.polarized.draws = 4;
     const StokesPicture read = read_light(light, height, {2, 1}, {5, 3});
     ASSERT_EQ(read.width, 3);
     ASSERT_EQ(read.height, 2);
