@@ -31,8 +31,11 @@ void open_scene(const OpenOptions& options) {
     std::string obstacle = "--headless was asked for";
     if (!options.headless) {
         if (const std::unique_ptr<Window> window = open_window(*scene, obstacle)) {
-            if (Viewer(*window, scene, options, started).run()) return;
-            throw Error("it found what it did not expect", options.replay, "see its report");
+            Viewer viewer(*window, scene, options, started);
+            if (!viewer.run()) throw Error("it found what it did not expect", options.replay, "see its report");
+            // Threads of low priority may end late where other programs keep the processor.
+            window->hide();
+            return;
         }
     }
     log_info(obstacle + "; pictures of all cameras go to ./pictures");

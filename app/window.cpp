@@ -223,6 +223,11 @@ void Window::minimise(bool minimised) {
     minimised ? glfwIconifyWindow(window_) : glfwRestoreWindow(window_);
 }
 
+void Window::hide() {
+    glfwHideWindow(window_);
+    glfwPollEvents();  // sends what was asked of the display
+}
+
 std::string Window::clipboard() const {
     const char* text = glfwGetClipboardString(window_);
     return text ? text : "";

@@ -38,6 +38,7 @@ class Window {
     void toggle_full_screen();
     void resize(glm::ivec2 size);  ///< in screen coordinates
     void minimise(bool minimised);
+    void hide();
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 

@@ -6,7 +6,7 @@
 namespace brewster {
 
 /// What threads beside a window yield to: the window, or photons, too.
-enum class Priority { before_photons = 10, lowest = 19 };
+enum class Priority { before_photons = 5, lowest = 10 };
 
 /// Of the calling thread and of those it starts from now on. On Linux a priority belongs to a thread.
 inline void lower_priority(Priority priority) {
