@@ -41,7 +41,8 @@ void Viewer::handle(const InputEvent& event) {
     if (over_widget && event.kind != Kind::button_release && !navigation_.dragging() && !dragging_region_) return;
     const glm::ivec2 size = picture_size();
     const bool outside = event.place.x >= static_cast<float>(size.x);
-    if (outside && event.kind == Kind::button_press) return;
+    // Widgets feel the pointer a frame late: over the panels nothing is the picture's.
+    if (outside && (event.kind == Kind::button_press || event.kind == Kind::wheel)) return;
     if (event.kind == Kind::button_press) overlay_.release_keyboard();
     if (dragging_region_ || (event.kind == Kind::button_press && event.control && event.button == Button::left))
         return drag_region(event);
@@ -125,8 +126,7 @@ std::string Viewer::words() const {
 }
 
 void Viewer::go_to_words(const std::string& text) {
-    if (text.find('=') == std::string::npos)
-        return notice("there is no view in the clipboard; Ctrl+C copies this one");
+    if (text.find('=') == std::string::npos) return notice("there is no view in the clipboard; Ctrl+C copies this one");
     try {
         const View view = parse_view(text);
         const float near_distance = view_.camera.near_distance;
@@ -212,6 +212,8 @@ void Viewer::act(Action action, int argument) {
             break;
         case Action::difference:
             rendition.map = rendition.map == Map::difference ? Map::radiance : Map::difference;
+            if (rendition.map == Map::difference)
+                notice("what polarization adds and takes; E shows weaker differences");
             break;
         case Action::analyzer:
             rendition.analyzer.kind =

@@ -75,7 +75,7 @@ void Canvas::present(const Screen& screen, const Sight& view, bool other_world, 
     const bool of_rays = gathered_ && view.rendition.map != Map::bins;
     const LightTextures light = of_rays ? gathered_light_.textures() : picture_->light();
     show_sight(screen_pass_, screen, light, view, other_world);
-    const int text_size = std::clamp(screen.height() / 45, 12, 32);
+    const int text_size = legend_text_size(screen, caption.text_scale);
     if (caption.dimmed)
         text_.add_rectangle({0, 0}, {static_cast<float>(screen.width()), static_cast<float>(screen.height())}, veil);
     if (!caption.status.empty())
@@ -84,7 +84,7 @@ void Canvas::present(const Screen& screen, const Sight& view, bool other_world, 
     if (!caption.legend || !picture_->bins()) return;
     draw_legend(text_, screen,
                 {shown_world(view, other_world), caption.scene, caption.camera,
-                 of_rays ? gathered_photons_ : picture_->bins()->photons});
+                 of_rays ? gathered_photons_ : picture_->bins()->photons, caption.text_scale});
 }
 
 std::optional<SeenLight> Canvas::look_at(glm::ivec2 low, glm::ivec2 high, glm::ivec2 size, bool polarization) const {

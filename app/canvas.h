@@ -22,6 +22,7 @@ struct Caption {
     std::string status;  ///< a line at the top; empty: none
     bool legend = true;
     bool dimmed = false;  ///< what is shown is of a scene that is no longer
+    float text_scale = 1;
 };
 
 /// The light in one world, or in both side by side, on the screen.

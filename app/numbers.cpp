@@ -1,5 +1,6 @@
 #include "app/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -95,6 +96,15 @@ std::string exact_text(double value) {
 std::string significant(double value, int digits) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string with_error(double value, double error) {
+    constexpr int most_decimals = 5;
+    const double decimals = std::ceil(-std::log10(error));
+    if (!(error > 0) || decimals > most_decimals) return significant(value, error > 0 ? 2 : 3);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", static_cast<int>(std::max(0.0, decimals)), value);
     return text;
 }
 

@@ -30,6 +30,9 @@ std::string significant(double value, int digits = 3);
 /// The shortest digits that parse_number reads back as the same number.
 std::string exact_text(double value);
 
+/// For people: as many digits as the standard error leaves, three where there is none ("0.27", "-0.0016", "438").
+std::string with_error(double value, double error);
+
 /// For people: "12.3 M", "480 k", "7".
 std::string with_magnitude(double value);
 

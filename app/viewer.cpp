@@ -44,14 +44,6 @@ EngineSettings beside_a_window(EngineSettings settings) {
     return settings;
 }
 
-constexpr const char* moved_mark = " (moved)";
-
-/// Whether the camera of that name stands elsewhere in the scene's file.
-bool is_moved(const Camera& camera, const Scene& scene) {
-    return std::any_of(scene.cameras.begin(), scene.cameras.end(),
-                       [&](const Camera& known) { return known.name == camera.name && !same_pose(known, camera); });
-}
-
 EngineSettings with_changes(EngineSettings settings, const std::vector<Setting>& changes) {
     for (const Setting& change : changes) settings.changes.push_back(setting_text(change));
     return settings;
@@ -238,6 +230,8 @@ void Viewer::set_scene(std::shared_ptr<const Scene> scene, std::uint64_t generat
     gatherer_.stop();
     if (same_surfaces) {
         canvas_.repaint(scene);
+        // A change is seen against the light before it.
+        if (canvas_.picture().bins()) exposure_settled_ = true;
     } else {
         canvas_.open(scene);
         rays_ = std::make_unique<Rays>(*scene);
@@ -435,82 +429,39 @@ void Viewer::draw() {
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(took, longest_nap)));
 }
 
-void Viewer::present() {
-    must_present_ = improved_ = false;
-    last_present_ = seconds_now();
-    const glm::ivec2 whole = window_.framebuffer_size(), size = picture_size();
-    Screen::window(whole.x, whole.y).bind();
-    look_around_pointer();
-    Caption caption{scene_->name, view_.camera.name, "", true, session_.overdue() && canvas_.picture().bins()};
-    if (is_moved(view_.camera, *scene_)) caption.camera += moved_mark;
+Caption Viewer::caption() const {
+    Caption caption{
+        scene_->name,           name_of(view_.camera), "", true, session_.overdue() && canvas_.picture().bins(),
+        preferences_.text_scale};
     if (caption.dimmed)
         caption.status = session_.paused() ? "paused: Space traces the change" : "the change is being traced";
     else if (!session_.trouble().empty())
         caption.status = session_.trouble();
     else if (shown_.notice_until > seconds_now())
         caption.status = shown_.notice;
+    else if (taken_)
+        caption.status = "saving " + taken_->path();
+    else if (session_.saving())
+        caption.status = "saving " + solution_path_;
     else if (session_.paused())
         caption.status = "paused";
     else if (!preferences_.panels && session_.engine())
         caption.status = with_magnitude(static_cast<double>(session_.engine()->progress().photons)) + " photons";
-    canvas_.present(Screen::window(size.x, size.y), view_, comparing_, caption);
+    return caption;
+}
+
+void Viewer::present() {
+    must_present_ = improved_ = false;
+    last_present_ = seconds_now();
+    const glm::ivec2 whole = window_.framebuffer_size(), size = picture_size();
+    Screen::window(whole.x, whole.y).bind();
+    look_around_pointer();
+    canvas_.present(Screen::window(size.x, size.y), view_, comparing_, caption());
     Screen::window(whole.x, whole.y).bind();
     overlay_.draw();
     if (wanted_capture_) write_png(*std::exchange(wanted_capture_, {}), Screen::window(whole.x, whole.y).read());
     window_.swap();
     if (replay_) replay_->presented(1000 * (seconds_now() - frame_begin_), stage_);
-}
-
-std::string Viewer::new_path(const std::string& kind) const {
-    std::string path;
-    for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
-        path = scene_->name + "-" + view_.camera.name + "-" + std::to_string(number) + kind;
-    return path;
-}
-
-void Viewer::save_solution(const std::string& path) {
-    if (!session_.snapshot()) return notice("there is no light yet to save");
-    if (session_.saving()) return notice("still saving " + solution_path_);
-    solution_path_ = path;
-    session_.save(path);
-    notice("saving " + path);
-}
-
-void Viewer::take_saved_solution() {
-    const std::optional<std::string> saved = session_.take_saved();
-    if (!saved) return;
-    if (saved->empty()) return notice("saved " + std::filesystem::absolute(solution_path_).string());
-    shown_.complaint = *saved;
-    must_present_ = true;
-}
-
-void Viewer::take_picture(const std::string& path, bool legend) {
-    const auto bins = session_.snapshot();
-    if (!bins) return notice("there is no light yet to take a picture of");
-    if (taken_) return notice("still saving " + taken_->path());
-    const glm::ivec2 size = picture_size();
-    const std::uint64_t seed = session_.engine()->settings().seed;
-    notice("saving " + path);
-    // Rays at rest would only be in its way.
-    gatherer_.stop();
-    // What the copied words say: a moved camera loses its last bits on the way through text.
-    Sight view = view_;
-    view.camera = camera_of(*scene_, parse_view(words()));
-    if (is_moved(view_.camera, *scene_)) view.camera.name += moved_mark;
-    taken_ =
-        std::make_unique<TakenPicture>(TakenPicture::Order{path, scene_, bins, view, size.x, size.y, seed, legend});
-}
-
-void Viewer::advance_taken_picture() {
-    if (!taken_) return;
-    try {
-        if (!taken_->advance()) return;
-        notice("saved " + std::filesystem::absolute(taken_->path()).string());
-    } catch (const std::exception& error) {
-        shown_.complaint = error.what();
-    }
-    taken_.reset();
-    must_present_ = true;
 }
 
 }  // namespace brewster

@@ -23,7 +23,8 @@
 namespace brewster {
 
 /// The window's loop: takes what a person does, lets the session and the canvas follow, draws only when something has
-/// changed. viewer.cpp holds the loop and the drawing, actions.cpp what keys and the mouse do.
+/// changed. viewer.cpp holds the loop and the drawing, actions.cpp what keys and the mouse do,
+/// saving.cpp what goes into files.
 class Viewer {
   public:
     /// `started`: the program, on the clock of seconds_now.
@@ -56,13 +57,8 @@ class Viewer {
     void look_around_pointer();
     void gather_at_rest();
     void draw();
+    Caption caption() const;
     void present();
-    /// A path that does not exist yet, for what is seen or traced; `kind`: its ending.
-    std::string new_path(const std::string& kind) const;
-    void take_picture(const std::string& path, bool legend);
-    void advance_taken_picture();
-    void save_solution(const std::string& path);
-    void take_saved_solution();
     void set_scene(std::shared_ptr<const Scene> scene, std::uint64_t generation, bool same_surfaces);
     void follow_session();
     void wait();
@@ -74,6 +70,15 @@ class Viewer {
     glm::ivec2 picture_size() const;
     Desk desk();
     std::optional<glm::vec3> seen(const Camera& camera, glm::vec2 place) const;
+
+    // saving.cpp
+    std::string name_of(const Camera& camera) const;  ///< and whether it was moved away from where the file has it
+    /// A path that does not exist yet, for what is seen or traced; `kind`: its ending.
+    std::string new_path(const std::string& kind) const;
+    void take_picture(const std::string& path, bool legend);
+    void advance_taken_picture();
+    void save_solution(const std::string& path);
+    void take_saved_solution();
 
     // scripted.cpp
     Stage make_stage();

@@ -42,7 +42,7 @@ void panel_column(Desk& desk, glm::ivec2 window_size) {
     ImGui::SameLine();
     if (ImGui::Button("save (F12)")) desk.act(Action::picture, 0);
     ImGui::SameLine();
-    if (ImGui::Button("Tab")) desk.act(Action::panels, 0);
+    if (ImGui::Button("hide (Tab)")) desk.act(Action::panels, 0);
     section(desk, "Polarization", polarization_panel, true);
     section(desk, "View", view_panel, true);
     section(desk, "Materials and lamps", materials_panel, true);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/numbers.h"
 #include "app/panels/desk.h"
 
 namespace brewster {
@@ -69,8 +70,8 @@ void stokes_table(const SeenLight& light) {
         ImGui::TextUnformatted(bands[band]);
         for (std::size_t j = 0; j < 4; ++j) {
             ImGui::TableNextColumn();
-            ImGui::Text("%.3g", light.stokes[band][j]);
-            ImGui::TextDisabled("\u00b1%.1g", light.error[band][j]);
+            ImGui::TextUnformatted(with_error(light.stokes[band][j], light.error[band][j]).c_str());
+            ImGui::TextDisabled("\u00b1%s", with_error(light.error[band][j], light.error[band][j]).c_str());
         }
     }
     ImGui::EndTable();

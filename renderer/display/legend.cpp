@@ -72,8 +72,12 @@ std::string analyzer_words(const Analyzer& analyzer) {
     return {};
 }
 
+int legend_text_size(const Screen& screen, float text_scale) {
+    return static_cast<int>(std::lround(text_scale * static_cast<float>(std::clamp(screen.height() / 45, 12, 32))));
+}
+
 void draw_legend(Text& text, const Screen& screen, const Legend& legend) {
-    const int size = std::clamp(screen.height() / 45, 12, 32);
+    const int size = legend_text_size(screen, legend.text_scale);
     const float line = static_cast<float>(size), pitch = std::round(1.25f * line), margin = std::round(0.5f * line);
     const Rendition& rendition = legend.rendition;
     const LegendScale scale = legend_scale(rendition);

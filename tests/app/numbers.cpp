@@ -66,6 +66,11 @@ TEST(Numbers, Sizes) {
 TEST(Numbers, WordsForPeople) {
     EXPECT_EQ(significant(0.03125), "0.0312");
     EXPECT_EQ(significant(2.0), "2");
+    EXPECT_EQ(with_error(0.2684, 0.04), "0.27");
+    EXPECT_EQ(with_error(-0.00161, 0.0006), "-0.0016");
+    EXPECT_EQ(with_error(438.2, 40), "438");
+    EXPECT_EQ(with_error(0.00015432, 0.000001), "0.00015");
+    EXPECT_EQ(with_error(12.3456, 0), "12.3");
     EXPECT_EQ(with_magnitude(12345678), "12.35 M");
     EXPECT_EQ(with_magnitude(999), "999");
     EXPECT_EQ(with_magnitude(480000), "480 k");
