@@ -27,7 +27,12 @@ std::string summary(const PictureDifference& difference) {
             text += ", rmse " + significant(band.rmse) + " (" + significant(band.rmse_beyond_noise) +
                     " beyond noise), relative rmse " + significant(100 * band.relative_rmse) + " %";
             text += ", half of it below " + significant(100 * band.percentiles[0]) + " %, 99 % below " +
-                    significant(100 * band.percentiles[2]) + " %\n";
+                    significant(100 * band.percentiles[2]) + " %";
+            if (band.within)
+                text += ", beyond 1, 2, 3 standard errors " + significant(100 * (1 - (*band.within)[0])) + ", " +
+                        significant(100 * (1 - (*band.within)[1])) + ", " + significant(100 * (1 - (*band.within)[2])) +
+                        " %";
+            text += "\n";
         }
     }
     if (!difference.polarization) return text;

@@ -146,7 +146,9 @@ Json band_object(const BandDifference& band) {
                    {"bias_standard_error", nullptr}};
     if (band.bias_standard_error) object["bias_standard_error"] = *band.bias_standard_error;
     object["within_standard_errors"] = nullptr;
-    if (band.within) object["within_standard_errors"] = {{"1", (*band.within)[0]}, {"2", (*band.within)[1]}};
+    if (band.within)
+        object["within_standard_errors"] = {
+            {"1", (*band.within)[0]}, {"2", (*band.within)[1]}, {"3", (*band.within)[2]}};
     Json percentiles = Json::object();
     for (std::size_t k = 0; k < difference_percentiles.size(); ++k)
         percentiles[std::to_string(difference_percentiles[k])] = band.percentiles[k];

@@ -67,7 +67,7 @@ BandDifference difference(const Channels& channels, double floor, const std::vec
     std::vector<double> relative;
     relative.reserve(region.size());
     double squares = 0, relative_squares = 0, bias = 0, variance = 0;
-    std::array<double, 2> within{};
+    std::array<double, 3> within{};
     for (const std::size_t i : region) {
         const double a = channels.a[i], b = channels.b[i];
         const double noise = channels.variance_b ? static_cast<double>((*channels.variance_b)[i]) : 0.0;
@@ -78,7 +78,7 @@ BandDifference difference(const Channels& channels, double floor, const std::vec
         bias += a - b;
         const double both = noise + (channels.variance_a ? static_cast<double>((*channels.variance_a)[i]) : 0.0);
         variance += both;
-        for (const int errors : {1, 2})
+        for (const int errors : {1, 2, 3})
             if ((a - b) * (a - b) <= errors * errors * both) within[static_cast<std::size_t>(errors - 1)] += 1 / n;
     }
     BandDifference result;

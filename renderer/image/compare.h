@@ -28,9 +28,9 @@ struct BandDifference {
     /// Of the bias, from the pixel variances of both pictures (one that has none counts as exact); none when neither
     /// has them. Pixels count as independent: where bins join neighbours, the true error is larger.
     std::optional<double> bias_standard_error;
-    /// Share of the pixels where |a - b| is within 1 and 2 standard errors, of both pictures together: 68 and 95 % where
-    /// errors are normal and their bars honest. None when neither has variances.
-    std::optional<std::array<double, 2>> within;
+    /// Share of the pixels where |a - b| is within 1, 2 and 3 standard errors, of both pictures together: 68, 95 and
+    /// 99.7 % where errors are normal and their bars honest. None when neither has variances.
+    std::optional<std::array<double, 3>> within;
 };
 
 struct PictureDifference {
