@@ -16,6 +16,11 @@ inline constexpr std::size_t eye_batch = 512;  ///< draws that go through the st
 /// of a cache.
 inline constexpr std::size_t most_rays = 2 * eye_batch + 16;
 
+/// Rough and sharp events on a path; then come the bins of gloss.
+inline constexpr int most_rough_events = 3, most_sharp_events = 8;
+/// At glass nothing comes then: light goes to and fro in a body of it, whose skin has no bins.
+inline constexpr int most_events_of_glass = 32;
+
 /// So many floats for each ray of a batch, structure of arrays.
 template <std::size_t rows>
 using Rows = std::array<std::array<float, most_rays>, rows>;
@@ -112,6 +117,11 @@ struct Level {
     using Ways = std::array<float, 2 * most_rays>;
     Ways turn_cos, turn_sin;
     std::array<Ways, 18> event;  ///< six elements of a PlanarMueller for each band
+
+    /// Whether gloss at entry i is read from the bins, for no ray goes on from there.
+    bool ends_in_bins(std::uint32_t i) const {
+        return rough_events[i] >= most_rough_events || sharp_events[i] >= most_sharp_events;
+    }
 
     template <class Real>
     void set_event(std::size_t band, std::size_t way, const PlanarMueller<Real>& m) {

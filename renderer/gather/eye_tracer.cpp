@@ -7,26 +7,13 @@
 
 #include "base/check.h"
 #include "gather/first_look.h"
+#include "gather/lamp_rays.h"
 #include "gather/shade.h"
 #include "scene/albedo.h"
 #include "scene/filter_axis.h"
-#include "scene/landing.h"
 #include "scene/vectors.h"
 
 namespace brewster {
-namespace {
-
-/// Relative; positions are floats, and hits are pulled 1e-6 of a chart's size inside its edges.
-constexpr float same_distance = 1e-4f;
-
-Vector<double> double_vector(const Vector<float>& v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-Vector<float> single_vector(const Vector<double>& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-}  // namespace
 
 void LevelLight::clear(std::size_t size) {
     const auto zero = [&](auto& rows) {
@@ -66,15 +53,14 @@ struct EyeTracer::Storage {
     std::vector<Segment> segments, next_segments;
     std::vector<Ray> rays;
     std::vector<Hit> hits;
-    std::vector<TriangleHit> shadow_hits;
-    std::vector<std::uint32_t> order, shadowed;
-    std::array<std::uint32_t, eye_batch> keys, indices;  // of the draws' numbers
+    std::vector<std::uint32_t> order;
+    BatchNumbers numbers;
     Entered entered;
-    LampSamples lamps;
+    LampRays lamps;
     std::array<Onwards, 2> onwards;
     LevelLight brought;
     EyeStageSeconds seconds{};
-    EventNumbers numbers;
+    EventNumbers events;
 };
 
 template <int components>
@@ -88,8 +74,8 @@ class EyeTracer::Batch {
         s_.segments.clear();
         for (std::uint32_t i = 0; i < draws_.size(); ++i) {
             const EyeNumbers& numbers = draws_[i].numbers;
-            s_.keys[i] = numbers.key;
-            s_.indices[i] = numbers.index;
+            s_.numbers.keys[i] = numbers.key;
+            s_.numbers.indices[i] = numbers.index;
             const auto place = number_pair<float>(numbers.key, numbers.index, place_dimension);
             Segment segment;
             segment.ray.origin = camera.position;
@@ -113,7 +99,8 @@ class EyeTracer::Batch {
             if (material.diffuse()) light_from_bins(material, level, group);
         }
         clock.lap(EyeStage::bins);
-        light_from_lamps(level, static_cast<std::uint32_t>(depth));
+        if (scene_.lamps.any())
+            s_.lamps.light<components>(scene_, s_.numbers, static_cast<std::uint32_t>(depth), level);
         clock.lap(EyeStage::lamps);
         for (const Group& group : level.groups) go_on_from(level, group, static_cast<std::uint32_t>(depth));
         s_.segments.swap(s_.next_segments);
@@ -147,14 +134,6 @@ class EyeTracer::Batch {
     }
 
   private:
-    // Calls shade<FloatLanes>(i) for each eight entries of a group, shade<float>(i) for the rest: the same bits.
-    template <class Shade>
-    static void over(const Group& group, const Shade& shade) {
-        std::uint32_t i = group.first;
-        for (; i + lane_count <= group.end; i += lane_count) shade.template operator()<FloatLanes>(i);
-        for (; i < group.end; ++i) shade.template operator()<float>(i);
-    }
-
     void meet(Level& level, bool first_look) {
         const std::vector<Segment>& segments = s_.segments;
         s_.rays.clear();
@@ -177,7 +156,7 @@ class EyeTracer::Batch {
             level.rough_events[i] = segment.rough;
             level.sharp_events[i] = segment.sharp;
             level.throughput[i] = segment.throughput;
-            level.reads_direct[i] = segment.rough > 0 || ends_in_bins(level, i) ? 1.0f : 0.0f;
+            level.reads_direct[i] = segment.rough > 0 || level.ends_in_bins(i) ? 1.0f : 0.0f;
             store_vector(eye_vector(segment.ray.direction), level.direction, i);
             store_vector(segment.axis, level.axis, i);
             if (hit.chart == no_chart) {
@@ -272,114 +251,14 @@ class EyeTracer::Batch {
         });
     }
 
-    bool ends_in_bins(const Level& level, std::uint32_t i) const {
-        return level.rough_events[i] >= most_rough_events || level.sharp_events[i] >= most_sharp_events;
-    }
-
-    void light_from_lamps(Level& level, std::uint32_t vertex) {
-        if (!scene_.lamps.any()) return;
-        s_.rays.clear();
-        s_.shadowed.clear();
-        for (const Group& group : level.groups) {
-            const PreparedMaterial& material = scene_.materials[group.material];
-            if (material.sharp()) continue;
-            draw_numbers(level, group, lamp_dimension(vertex), s_.numbers.facet_u, s_.numbers.facet_v);
-            for (std::uint32_t i = group.first; i < group.end; ++i) {
-                const bool wanted =
-                    (material.diffuse() && level.reads_direct[i] == 0) || (material.rough() && !ends_in_bins(level, i));
-                if (!wanted || !sample_lamp(level, i)) no_lamp(i);
-            }
-            over(group, [&]<class Real>(std::uint32_t i) {
-                light_by_lamps<components, Real>(material, scene_.coloured, scene_.polarized_lamps, level, s_.lamps, i);
-            });
-            for (std::uint32_t i = group.first; i < group.end; ++i) {
-                float brightest = 0;
-                for (std::size_t band = 0; band < band_count; ++band)
-                    brightest = std::max(brightest, s_.lamps.unpolarized[band][i]);
-                if (!(brightest > 0)) continue;
-                s_.rays.push_back({eye_coordinates(load_vector<float>(level.position, i)),
-                                   eye_coordinates(load_vector<float>(s_.lamps.direction, i)), level.triangle[i]});
-                s_.shadowed.push_back(i);
-            }
-        }
-        s_.shadow_hits.resize(s_.rays.size());
-        scene_.rays.meet(s_.rays, s_.shadow_hits);
-        for (std::size_t k = 0; k < s_.shadowed.size(); ++k)
-            if (reaches(s_.rays[k], s_.shadow_hits[k], s_.shadowed[k])) add_lamp_light(level.light, s_.shadowed[k]);
-    }
-
-    void no_lamp(std::uint32_t i) {
-        store_vector(Vector<float>{0, 0, 1}, s_.lamps.direction, i);
-        for (auto& row : s_.lamps.radiance) row[i] = 0;
-        s_.lamps.pdf[i] = 0;
-        store_vector(Vector<float>{0, 0, 0}, s_.lamps.state, i);
-        store_vector(Vector<float>{1, 0, 0}, s_.lamps.axis, i);
-    }
-
-    void draw_numbers(const Level& level, const Group& group, std::uint32_t dimension,
-                      std::array<float, most_rays>& first, std::array<float, most_rays>& second) const {
-        over(group, [&]<class Real>(std::uint32_t i) {
-            const Word<Real> draw = load_word<Real>(&level.draw[i]);
-            const auto pair =
-                number_pair<Real>(entries_of(s_.keys.data(), draw), entries_of(s_.indices.data(), draw), dimension);
-            store(pair[0], &first[i]);
-            store(pair[1], &second[i]);
-        });
-    }
-
-    // The point's numbers stand where those of facets will.
-    bool sample_lamp(const Level& level, std::uint32_t i) {
-        const auto light =
-            scene_.lamps.sample(double_vector(load_vector<float>(level.position, i)),
-                                static_cast<double>(s_.numbers.facet_u[i]), static_cast<double>(s_.numbers.facet_v[i]));
-        if (!light) return false;
-        const Vector<float> direction = single_vector(light->direction);
-        if (!(dot(direction, load_vector<float>(level.normal, i)) > 0) ||
-            !(dot(direction, load_vector<float>(level.shading_normal, i)) > 0))
-            return false;
-        LampSamples& lamps = s_.lamps;
-        store_vector(direction, lamps.direction, i);
-        const double density = light->pdf > 0 ? light->pdf : light->choice;
-        for (std::size_t band = 0; band < band_count; ++band)
-            lamps.radiance[band][i] = static_cast<float>(light->radiance[static_cast<int>(band)] / density);
-        lamps.pdf[i] = static_cast<float>(light->pdf);
-        lamps.distance[i] = static_cast<float>(light->distance);
-        lamps.lamp[i] = light->lamp;
-        if (scene_.polarized_lamps) {
-            const Lamp& lamp = scene_.scene.lamps[light->lamp];
-            store_vector(eye_vector(lamp.polarization), lamps.state, i);
-            store_vector(single_vector(lamp_axis(lamp, -light->direction)), lamps.axis, i);
-        }
-        return true;
-    }
-
-    // Whether a shadow ray that met `hit` has found its lamp.
-    bool reaches(const Ray& ray, const TriangleHit& hit, std::uint32_t i) const {
-        const Lamp& lamp = scene_.scene.lamps[s_.lamps.lamp[i]];
-        if (!hit.met()) return lamp.kind != LampKind::area;
-        const float distance = s_.lamps.distance[i];
-        if (lamp.kind != LampKind::area) return hit.distance > distance;
-        const LandingTriangle& triangle = scene_.rays.landing_table().triangles[hit.triangle];
-        const bool from_front = is_met_in_front(eye_vector(triangle.normal), eye_vector(ray.direction));
-        return triangle.chart(from_front) == lamp.chart &&
-               std::abs(hit.distance - distance) < same_distance * (distance + hit.distance);
-    }
-
-    void add_lamp_light(LevelLight& light, std::uint32_t i) const {
-        for (std::size_t row = 0; row < 3 * components; ++row) light.stokes[row][i] += s_.lamps.stokes[row][i];
-        if (components > 1)
-            for (std::size_t band = 0; band < band_count; ++band)
-                light.unpolarized[band][i] += s_.lamps.unpolarized[band][i];
-    }
-
     void go_on_from(Level& level, const Group& group, std::uint32_t vertex) {
         const PreparedMaterial& material = scene_.materials[group.material];
         const bool transparent = material.base == Base::transparent;
         if (!transparent && !material.reflects()) return;
-        draw_numbers(level, group, facet_dimension(vertex), s_.numbers.facet_u, s_.numbers.facet_v);
-        draw_numbers(level, group, choice_dimension(vertex), s_.numbers.choice, s_.numbers.slope);
+        s_.numbers.draw(level, group, facet_dimension(vertex), s_.events.facet_u, s_.events.facet_v);
+        s_.numbers.draw(level, group, choice_dimension(vertex), s_.events.choice, s_.events.slope);
         over(group, [&]<class Real>(std::uint32_t i) {
-            go_on<Real>(material, group.inside, s_.numbers, level, s_.onwards, i);
+            go_on<Real>(material, group.inside, s_.events, level, s_.onwards, i);
         });
         for (std::uint32_t i = group.first; i < group.end; ++i) {
             if (transparent) {
@@ -387,7 +266,7 @@ class EyeTracer::Batch {
                 const bool both = s_.onwards[0].share[i] > 0 && s_.onwards[1].share[i] > 0;
                 for (std::uint8_t way = 0; way < 2; ++way)
                     if (Segment* next = next_segment(level, i, way)) next->parted = next->parted || both;
-            } else if (ends_in_bins(level, i)) {
+            } else if (level.ends_in_bins(i)) {
                 add_gloss_of_bins<components>(scene_.scene, bins_, level, i);
             } else {
                 next_segment(level, i, 0);

@@ -31,11 +31,6 @@ using EyeStageSeconds = std::array<double, eye_stage_count>;
 /// batch. What it never finds: the gloss of a lamp without extent that shines there by way of glass or a mirror.
 class EyeTracer {
   public:
-    /// Then the bins of gloss.
-    static constexpr int most_rough_events = 3, most_sharp_events = 8;
-    /// Then nothing: light goes to and fro in a body of glass, whose skin has no bins.
-    static constexpr int most_events_of_glass = 32;
-
     EyeTracer();
     ~EyeTracer();
 
