@@ -202,13 +202,15 @@ void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& nu
     }
     const Real eagerness = load<Real>(&level.eagerness[i]);
     const auto parts = eagerness > 0;
-    ScatterSample<Real, band_count> first = sample_bsdf<Use::eye, band_count>(material, at, drawn);
+    const auto drawn_way = [&] { return sample_bsdf<Use::eye, band_count>(material, at, drawn); };
+    ScatterSample<Real, band_count> first;
     if (any_of(parts) && material.filter == FilterKind::none) {
         auto ways = parted_ways(material, at, drawn.choice, eagerness);
         ways[1].alive = ways[1].alive && parts;
-        first = select_sample<band_count, Real>(parts, ways[0], first);
+        first = any_of(!parts) ? select_sample<band_count, Real>(parts, ways[0], drawn_way()) : ways[0];
         take_way(ways[1], 1, level, onwards[1], i);
     } else {
+        first = drawn_way();
         store(Real(0), &onwards[1].share[i]);
     }
     take_way(first, 0, level, onwards[0], i);
