@@ -11,7 +11,7 @@ namespace brewster {
 namespace {
 
 constexpr double good_error = 0.15;      // of a picture that takes the old one's place
-constexpr double longest_stale = 0.08;   // seconds; then whatever there is does, and is on the screen at about 0.1
+constexpr double longest_stale = 0.06;   // seconds; then whatever there is does, and is on the screen at about 0.1
 constexpr double at_once = 0.15;         // seconds
 constexpr std::size_t most_steps = 100;  // that undo remembers
 
