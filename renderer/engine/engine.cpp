@@ -139,7 +139,7 @@ void Engine::Impl::work(unsigned index) {
             something_done.notify_all();
         }
         if (!take_block(begin, end)) {
-            work_to_do.wait(lock);
+            if (!quit) work_to_do.wait(lock);  // it may have come while tallies were merged
             continue;
         }
         ++busy;

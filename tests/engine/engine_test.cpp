@@ -150,12 +150,12 @@ TEST(Engine, StopsBySecondsAndByError) {
 
 TEST(Engine, DestructionWhileRunningIsClean) {
     const auto scene = rooms::read("cornell-box.gltf");
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 40; ++i) {
         EngineSettings settings = with_threads(3);
         settings.snapshot_seconds = 0.001;
         Engine engine(scene, settings);
         engine.start(StopRule{});
-        std::this_thread::sleep_for(std::chrono::milliseconds(5 * i));
+        std::this_thread::sleep_for(std::chrono::milliseconds(i % 8));
         engine.snapshot();
         engine.progress();
     }
