@@ -1,13 +1,17 @@
 #pragma once
-#include <immintrin.h>
-
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <experimental/simd>
 #include <type_traits>
+
+#if BREWSTER_WIDE
+#include "base/registers_16.h"
+#else
+#include "base/registers_8.h"
+#endif
 
 /// The SIMD seam. A formula is written once as `template <class Real>` and used with Real = float, double and
 /// FloatLanes; the functions below are all it may use beside + - * /, comparisons, && || ! on masks and small integer
@@ -15,10 +19,15 @@
 /// no branch on a value (`select` instead).
 namespace brewster {
 
-using FloatLanes = std::experimental::native_simd<float>;
+/// Eight lanes, or sixteen where BREWSTER_WIDE is set: nothing that outlives a call may depend on it.
+using FloatLanes = registers::FloatBatch;
 using LaneMask = FloatLanes::mask_type;
 inline constexpr int lane_count = static_cast<int>(FloatLanes::size());
-static_assert(lane_count == 8, "the build is for AVX2 (x86-64-v3)");
+inline constexpr int lane_groups = registers::groups;  ///< of eight, which is as many as there are floats in a row
+
+inline registers::Floats register_of(FloatLanes x) {
+    return static_cast<registers::Floats>(x);
+}
 
 /// The type of one lane.
 template <class Real>
@@ -46,7 +55,7 @@ inline double fma(double a, double b, double c) {
 }
 // The library's own fma is called out of line at -O2, hence the intrinsic.
 inline FloatLanes fma(FloatLanes a, FloatLanes b, FloatLanes c) {
-    return FloatLanes(_mm256_fmadd_ps(static_cast<__m256>(a), static_cast<__m256>(b), static_cast<__m256>(c)));
+    return FloatLanes(registers::fma(register_of(a), register_of(b), register_of(c)));
 }
 
 inline float sqrt(float x) {
@@ -56,7 +65,7 @@ inline double sqrt(double x) {
     return std::sqrt(x);
 }
 inline FloatLanes sqrt(FloatLanes x) {
-    return FloatLanes(_mm256_sqrt_ps(static_cast<__m256>(x)));
+    return FloatLanes(registers::sqrt(register_of(x)));
 }
 
 inline float abs(float x) {
@@ -66,7 +75,7 @@ inline double abs(double x) {
     return std::fabs(x);
 }
 inline FloatLanes abs(FloatLanes x) {
-    return FloatLanes(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), static_cast<__m256>(x)));
+    return FloatLanes(registers::abs(register_of(x)));
 }
 
 inline float floor(float x) {
@@ -76,7 +85,7 @@ inline double floor(double x) {
     return std::floor(x);
 }
 inline FloatLanes floor(FloatLanes x) {
-    return FloatLanes(_mm256_floor_ps(static_cast<__m256>(x)));
+    return FloatLanes(registers::floor(register_of(x)));
 }
 
 /// To the nearest integer, ties to even.
@@ -87,7 +96,7 @@ inline double round_even(double x) {
     return std::rint(x);
 }
 inline FloatLanes round_even(FloatLanes x) {
-    return FloatLanes(_mm256_round_ps(static_cast<__m256>(x), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+    return FloatLanes(registers::round_even(register_of(x)));
 }
 
 /// min and max return their second argument if either is NaN or both are zeros.
@@ -98,7 +107,7 @@ inline double min(double a, double b) {
     return a < b ? a : b;
 }
 inline FloatLanes min(FloatLanes a, FloatLanes b) {
-    return FloatLanes(_mm256_min_ps(static_cast<__m256>(a), static_cast<__m256>(b)));
+    return FloatLanes(registers::min(register_of(a), register_of(b)));
 }
 inline float max(float a, float b) {
     return a > b ? a : b;
@@ -107,7 +116,7 @@ inline double max(double a, double b) {
     return a > b ? a : b;
 }
 inline FloatLanes max(FloatLanes a, FloatLanes b) {
-    return FloatLanes(_mm256_max_ps(static_cast<__m256>(a), static_cast<__m256>(b)));
+    return FloatLanes(registers::max(register_of(a), register_of(b)));
 }
 
 /// Lane by lane `mask ? a : b`; both are evaluated.
@@ -134,8 +143,8 @@ inline float power_of_two(float k) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(static_cast<std::int32_t>(k) + 127) << 23);
 }
 inline FloatLanes power_of_two(FloatLanes k) {
-    const __m256i exponent = _mm256_add_epi32(_mm256_cvtps_epi32(static_cast<__m256>(k)), _mm256_set1_epi32(127));
-    return FloatLanes(_mm256_castsi256_ps(_mm256_slli_epi32(exponent, 23)));
+    const registers::Words exponent = registers::add(registers::rounded(register_of(k)), registers::everywhere(127));
+    return FloatLanes(registers::as_floats(registers::shifted_left(exponent, 23)));
 }
 
 /// x = mantissa * 2^exponent with the mantissa in [sqrt(1/2), sqrt(2)); x must be positive and normal.
@@ -150,17 +159,18 @@ inline MantissaExponent<float> split_exponent(float x) {
     return {std::bit_cast<float>((offset & 0x007fffffu) + bits_of_sqrt_half), static_cast<float>(exponent)};
 }
 inline MantissaExponent<FloatLanes> split_exponent(FloatLanes x) {
-    const __m256i base = _mm256_set1_epi32(static_cast<int>(bits_of_sqrt_half));
-    const __m256i offset = _mm256_sub_epi32(_mm256_castps_si256(static_cast<__m256>(x)), base);
-    const __m256i mantissa = _mm256_add_epi32(_mm256_and_si256(offset, _mm256_set1_epi32(0x007fffff)), base);
-    return {FloatLanes(_mm256_castsi256_ps(mantissa)), FloatLanes(_mm256_cvtepi32_ps(_mm256_srai_epi32(offset, 23)))};
+    const registers::Words base = registers::everywhere(bits_of_sqrt_half);
+    const registers::Words offset = registers::subtract(registers::as_words(register_of(x)), base);
+    const registers::Words mantissa = registers::add(registers::both(offset, registers::everywhere(0x007fffff)), base);
+    return {FloatLanes(registers::as_floats(mantissa)),
+            FloatLanes(registers::number_of(registers::shifted_right_signed(offset, 23)))};
 }
 
-/// Eight floats in memory, any alignment, as a batch; one for a scalar.
+/// Floats in memory, any alignment, as a batch; one for a scalar.
 template <class Real>
 Real load(const Scalar<Real>* from) {
     if constexpr (std::is_same_v<Real, FloatLanes>)
-        return FloatLanes(_mm256_loadu_ps(from));
+        return FloatLanes(registers::load(from));
     else
         return *from;
 }
@@ -171,14 +181,14 @@ inline void store(double x, double* to) {
     *to = x;
 }
 inline void store(FloatLanes x, float* to) {
-    _mm256_storeu_ps(to, static_cast<__m256>(x));
+    registers::store(register_of(x), to);
 }
 
 namespace lanes_detail {
 
 /// Eight rows of eight floats become eight columns.
-[[gnu::always_inline]] inline void transpose(__m256 (&r)[lane_count]) {
-    __m256 pairs[lane_count], quads[lane_count];
+[[gnu::always_inline]] inline void transpose(__m256 (&r)[8]) {
+    __m256 pairs[8], quads[8];
     for (int j = 0; j < 4; ++j) {
         pairs[2 * j] = _mm256_unpacklo_ps(r[2 * j], r[2 * j + 1]);
         pairs[2 * j + 1] = _mm256_unpackhi_ps(r[2 * j], r[2 * j + 1]);
@@ -193,6 +203,18 @@ namespace lanes_detail {
         r[j] = _mm256_permute2f128_ps(quads[j], quads[j + 4], 0x20);
         r[j + 4] = _mm256_permute2f128_ps(quads[j], quads[j + 4], 0x31);
     }
+}
+
+/// Rows of eight floats, one a lane, as eight columns of lanes.
+[[gnu::always_inline]] inline std::array<FloatLanes, 8> columns_of(__m256 (&rows)[lane_groups][8]) {
+    for (auto& group : rows) transpose(group);
+    std::array<FloatLanes, 8> columns;
+    for (std::size_t j = 0; j < 8; ++j) {
+        __m256 eights[lane_groups];
+        for (std::size_t group = 0; group < lane_groups; ++group) eights[group] = rows[group][j];
+        columns[j] = FloatLanes(registers::joined(eights));
+    }
+    return columns;
 }
 
 }  // namespace lanes_detail
@@ -223,20 +245,20 @@ template <class Real, std::size_t columns>
 std::array<Real, columns> blend_rows(const std::array<float, columns>* table, const Real& index, const Real& fraction) {
     std::array<Real, columns> row;
     if constexpr (std::is_same_v<Real, FloatLanes>) {
-        static_assert(columns % lane_count == 0);
+        static_assert(columns % 8 == 0);
         std::array<float, lane_count> indices, fractions;
         store(index, indices.data());
         store(fraction, fractions.data());
-        for (std::size_t block = 0; block < columns; block += lane_count) {
-            __m256 r[lane_count];
+        for (std::size_t block = 0; block < columns; block += 8) {
+            __m256 r[lane_groups][8];
             for (std::size_t lane = 0; lane < lane_count; ++lane) {
                 const std::array<float, columns>* from = table + static_cast<std::size_t>(indices[lane]);
                 const __m256 low = _mm256_loadu_ps(from[0].data() + block),
                              high = _mm256_loadu_ps(from[1].data() + block);
-                r[lane] = _mm256_fmadd_ps(_mm256_set1_ps(fractions[lane]), _mm256_sub_ps(high, low), low);
+                r[lane / 8][lane % 8] = _mm256_fmadd_ps(_mm256_set1_ps(fractions[lane]), _mm256_sub_ps(high, low), low);
             }
-            lanes_detail::transpose(r);
-            for (std::size_t j = 0; j < lane_count; ++j) row[block + j] = FloatLanes(r[j]);
+            const std::array<FloatLanes, 8> blended = lanes_detail::columns_of(r);
+            std::copy(blended.begin(), blended.end(), row.begin() + static_cast<std::ptrdiff_t>(block));
         }
     } else {
         const std::array<float, columns>* from = table + static_cast<std::size_t>(index);

@@ -19,7 +19,7 @@ inline std::array<std::uint32_t, 4> philox(std::uint64_t seed, std::uint64_t pho
     return {words[0], words[1], words[2], words[3]};
 }
 
-/// The same for eight photons and bounces at a time.
+/// The same for a batch of photons and bounces.
 inline std::array<WordLanes, 4> philox(std::uint64_t seed, WordLanes photon_low, WordLanes photon_high,
                                        WordLanes bounce, std::uint32_t draw) {
     auto key_low = static_cast<std::uint32_t>(seed), key_high = static_cast<std::uint32_t>(seed >> 32);

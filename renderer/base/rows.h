@@ -6,11 +6,11 @@
 #include "base/fixed_point.h"
 #include "base/word_lanes.h"
 
-/// Rows of floats in memory against lanes in registers: a row belongs to one lane. Moving eight rows of eight floats at a
+/// Rows of eight floats in memory against lanes in registers: a row belongs to one lane. Moving eight rows of eight floats at a
 /// time costs a third of gathering them column by column.
 namespace brewster {
 
-inline constexpr std::size_t row_size = lane_count;
+inline constexpr std::size_t row_size = 8;
 
 /// Eight floats, or words in their place.
 struct alignas(32) Row {
@@ -22,12 +22,9 @@ using Columns = std::array<FloatLanes, row_size>;
 
 template <class RowOfLane>
 [[gnu::always_inline]] inline Columns load_columns(const RowOfLane& row) {
-    __m256 r[8];
-    for (int lane = 0; lane < lane_count; ++lane) r[lane] = _mm256_loadu_ps(row(lane));
-    lanes_detail::transpose(r);
-    Columns columns;
-    for (std::size_t j = 0; j < row_size; ++j) columns[j] = FloatLanes(r[j]);
-    return columns;
+    __m256 r[lane_groups][8];
+    for (int lane = 0; lane < lane_count; ++lane) r[lane / 8][lane % 8] = _mm256_loadu_ps(row(lane));
+    return lanes_detail::columns_of(r);
 }
 
 /// Row `index` of a table, for one lane and for all.
@@ -43,10 +40,14 @@ inline Columns row_at(const std::vector<Row>& rows, WordLanes index) {
 /// load_columns backwards; rows are written in the order of their lanes, so that a later one may overwrite an earlier.
 template <class RowOfLane>
 [[gnu::always_inline]] inline void store_columns(const Columns& columns, const RowOfLane& row) {
-    __m256 r[8];
-    for (std::size_t j = 0; j < row_size; ++j) r[j] = static_cast<__m256>(columns[j]);
-    lanes_detail::transpose(r);
-    for (int lane = 0; lane < lane_count; ++lane) _mm256_storeu_ps(row(lane), r[lane]);
+    const auto store_eight = [&]<int group>() {
+        __m256 r[8];
+        for (std::size_t j = 0; j < row_size; ++j) r[j] = registers::eight_of<group>(register_of(columns[j]));
+        lanes_detail::transpose(r);
+        for (int lane = 0; lane < 8; ++lane) _mm256_storeu_ps(row(8 * group + lane), r[lane]);
+    };
+    store_eight.template operator()<0>();
+    if constexpr (lane_groups > 1) store_eight.template operator()<lane_groups - 1>();
 }
 
 /// to_quanta of four weights.
@@ -71,7 +72,12 @@ struct QuantaLanes {
   private:
     template <bool add>
     void accumulate(const LaneMask& mask, FloatLanes weights) {
-        const __m256 kept = static_cast<__m256>(select(mask, weights, FloatLanes(0.0f)));
+        const registers::Floats kept = register_of(select(mask, weights, FloatLanes(0.0f)));
+        accumulate_eight<add>(registers::eight_of<0>(kept));
+        if constexpr (lane_groups > 1) accumulate_eight<add>(registers::eight_of<lane_groups - 1>(kept));
+    }
+    template <bool add>
+    void accumulate_eight(__m256 kept) {
         const __m256i both =
             _mm256_add_epi64(quanta_of(_mm256_castps256_ps128(kept)), quanta_of(_mm256_extractf128_ps(kept, 1)));
         sums = add ? _mm256_add_epi64(sums, both) : _mm256_sub_epi64(sums, both);

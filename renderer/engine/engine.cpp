@@ -112,8 +112,9 @@ bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
 
 void Engine::Impl::work(unsigned index) {
     if (settings.lowest_priority) lower_priority(Priority::lowest);
-    const std::unique_ptr<PhotonTracer> tracer =
-        settings.thesis.any() ? make_thesis_tracer(kernel, settings.thesis) : make_tracer(kernel, settings.window);
+    const std::unique_ptr<PhotonTracer> tracer = settings.thesis.any()
+                                                     ? make_thesis_tracer(kernel, settings.thesis)
+                                                     : make_tracer(kernel, settings.window, settings.lanes);
     std::unique_lock lock(mutex);
     WorkerSums own(bins);  // a saved solution may replace the trees before the first block
     while (!quit) {

@@ -25,6 +25,7 @@ struct EngineSettings {
     double snapshot_seconds = 0;
     BinSettings bins;
     std::size_t window = default_window;  ///< photons that a worker moves at once; 0: one by one, slowly (make_tracer)
+    int lanes = widest_lanes();           ///< that it moves together, 8 or 16
     std::vector<std::string> changes;     ///< of the scene since its file was read; only kept with saved solutions
     bool guided_emission = true;          ///< lamps learn where their photons are useful
     std::optional<KernelChoice> kernel;   ///< none: the smallest that is exact for the scene

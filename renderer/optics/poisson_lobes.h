@@ -40,11 +40,11 @@ class OrderRules {
     }
 
   private:
-    // Rows evenly in v/(v + knee), v = sqrt(g): sqrt((1 + g)/n) of each node, the weights, and what fills two batches.
+    // Rows evenly in v/(v + knee), v = sqrt(g): sqrt((1 + g)/n) of each node, the weights, and what fills whole rows of eight.
     static constexpr double largest_root = 100, knee = 4;
     static constexpr int rows = 512;
     static constexpr double rows_per_unit = (rows - 1) * (largest_root + knee) / largest_root;
-    static constexpr std::size_t columns = 2 * lane_count;
+    static constexpr std::size_t columns = 16;
     std::array<std::array<float, columns>, rows> table_{};
 };
 

@@ -112,7 +112,7 @@ void keep_large(std::vector<Candidate>& candidates) {
                   [&](const Candidate& candidate) { return candidate.wall.area * double{most_walls} < area; });
 }
 
-// What one ray of eight knows of the nearest wall so far.
+// What the rays of a batch know of their nearest walls so far.
 struct Nearest {
     FloatLanes distance{INFINITY}, u{}, v{};
     WordLanes wall{0xffffffffu};

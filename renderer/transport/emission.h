@@ -38,7 +38,7 @@ class PhotonEmission {
     double mean_power() const { return mean_power_; }  ///< lumen, all lamps, mean of the bands
 
     EmittedPhoton<float> sample(std::uint64_t photon) const;
-    EmittedPhoton<FloatLanes> sample_lanes(std::uint64_t first) const;  ///< the same of eight photons in a row
+    EmittedPhoton<FloatLanes> sample_lanes(std::uint64_t first) const;  ///< the same of photons in a row
 
     bool polarized() const { return polarized_; }  ///< whether some lamp's light is
 
@@ -47,7 +47,7 @@ class PhotonEmission {
 
     /// This photon's number in one dimension of its sequence, below sobol_dimensions; in [0, 1).
     float sobol(std::uint64_t photon, unsigned dimension) const;
-    FloatLanes sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;  ///< of eight photons
+    FloatLanes sobol(WordLanes photon_low, WordLanes photon_high, unsigned dimension) const;  ///< in lanes
 
   private:
     std::uint32_t sobol_word(std::uint64_t photon, unsigned dimension) const;

@@ -1,45 +1,42 @@
 #include "transport/kernel.h"
 
 #include "base/check.h"
+#include "transport/kernels/choose.h"
 
 namespace brewster {
 namespace transport {
 
-// Each kernel is compiled in a file of its own (kernels/).
+// Each kernel is compiled in a file of its own (kernels/); blocks twice, where the compiler can.
 template <int components, int bands, bool gloss>
 std::unique_ptr<PhotonTracer> scalar_tracer();
-template <int components, int bands, bool gloss>
-std::unique_ptr<PhotonTracer> block_tracer(std::size_t window);
+template <int lanes>
+std::unique_ptr<PhotonTracer> make_block_tracer(const KernelChoice& choice, std::size_t window);
 
 }  // namespace transport
 
-namespace {
-
-template <int components, int bands, bool gloss>
-std::unique_ptr<PhotonTracer> with_window(std::size_t window) {
-    if (window == 0) return transport::scalar_tracer<components, bands, gloss>();
-    return transport::block_tracer<components, bands, gloss>(window);
+int widest_lanes() {
+#if BREWSTER_HAS_WIDE_KERNELS
+    static const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                             __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                             __builtin_cpu_supports("avx512vl");
+    if (wide) return 16;
+#endif
+    return 8;
 }
 
-template <int components, int bands>
-std::unique_ptr<PhotonTracer> with_gloss(bool gloss, std::size_t window) {
-    return gloss ? with_window<components, bands, true>(window) : with_window<components, bands, false>(window);
-}
-
-template <int components>
-std::unique_ptr<PhotonTracer> with_bands(const KernelChoice& choice, std::size_t window) {
-    return choice.bands == 1 ? with_gloss<components, 1>(choice.gloss, window)
-                             : with_gloss<components, 3>(choice.gloss, window);
-}
-
-}  // namespace
-
-std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice, std::size_t window) {
+std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice, std::size_t window, int lanes) {
     BREWSTER_CHECK(
         (choice.stokes == 1 || choice.stokes == 3 || choice.stokes == 4) && (choice.bands == 1 || choice.bands == 3),
         std::to_string(choice.stokes) + " " + std::to_string(choice.bands));
-    if (choice.stokes == 1) return with_bands<1>(choice, window);
-    return choice.stokes == 3 ? with_bands<3>(choice, window) : with_bands<4>(choice, window);
+    BREWSTER_CHECK(lanes == 8 || lanes == widest_lanes(), std::to_string(lanes));
+    if (window == 0)
+        return transport::with_kernel(choice, []<int components, int bands, bool gloss>() {
+            return transport::scalar_tracer<components, bands, gloss>();
+        });
+#if BREWSTER_HAS_WIDE_KERNELS
+    if (lanes == 16) return transport::make_block_tracer<16>(choice, window);
+#endif
+    return transport::make_block_tracer<8>(choice, window);
 }
 
 }  // namespace brewster

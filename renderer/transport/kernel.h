@@ -27,8 +27,12 @@ class PhotonTracer {
 
 inline constexpr std::size_t default_window = 2048;  ///< photons on their way at once; flat from 1024 up
 
-/// `window`: how many photons are on their way at once, eight lanes at a time; 0: one after the other, by the scalar
-/// engine that is the oracle of the others. The same tallies for all.
-std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice, std::size_t window = default_window);
+/// 16 where the program and the processor have AVX-512, else 8.
+int widest_lanes();
+
+/// `window`: how many photons are on their way at once, `lanes` at a time; 0: one after the other, by the scalar engine
+/// that is the oracle of the others. The same tallies for all.
+std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice, std::size_t window = default_window,
+                                          int lanes = widest_lanes());
 
 }  // namespace brewster

@@ -11,11 +11,12 @@ namespace brewster {
 namespace {
 
 std::string digest_of(const std::shared_ptr<const Scene>& scene, std::uint64_t photons, std::size_t window,
-                      unsigned threads, const std::optional<KernelChoice>& kernel = {}) {
+                      unsigned threads, const std::optional<KernelChoice>& kernel = {}, int lanes = widest_lanes()) {
     EngineSettings settings;
     settings.threads = threads;
     settings.window = window;
     settings.kernel = kernel;
+    settings.lanes = lanes;
     Engine engine(scene, settings);
     trace(engine, photons);
     EXPECT_EQ(engine.progress().photons, photons);
@@ -24,7 +25,8 @@ std::string digest_of(const std::shared_ptr<const Scene>& scene, std::uint64_t p
            " useful, trouble " + std::to_string(engine.progress().trouble);
 }
 
-// The scalar engine is the oracle: trees, sums and counts of the blocks are its own, to the last bit.
+// The scalar engine is the oracle: trees, sums and counts of the blocks are its own, to the last bit, in eight lanes (one
+// thread) and in as many as there are (two).
 TEST(Blocks, AreTheScalarEngineOnEveryScene) {
     constexpr std::uint64_t some = slow ? 3000 : 60000;
     for (const char* name : {"cornell-box.gltf", "gloss-lab.gltf", "brewster-room.gltf", "metal-lab.gltf",
@@ -33,7 +35,8 @@ TEST(Blocks, AreTheScalarEngineOnEveryScene) {
         const std::string oracle = digest_of(scene, some, 0, 2);
         for (const std::size_t window : {std::size_t{256}, default_window, std::size_t{8192}})
             for (const unsigned threads : {1u, 2u})
-                EXPECT_EQ(digest_of(scene, some, window, threads), oracle) << name << " " << window << " " << threads;
+                EXPECT_EQ(digest_of(scene, some, window, threads, {}, threads == 1 ? 8 : widest_lanes()), oracle)
+                    << name << " " << window << " " << threads;
         EXPECT_NE(digest_of(scene, some - 1, default_window, 2), oracle) << name;
     }
 }
@@ -106,7 +109,9 @@ TEST(Blocks, AreTheScalarEngineInEveryKernel) {
                     const KernelChoice kernel{stokes, bands, gloss};
                     const std::string oracle = digest_of(scene, some, 0, 2, kernel);
                     for (const std::size_t window : {std::size_t{256}, default_window})
-                        EXPECT_EQ(digest_of(scene, some, window, window == 256 ? 1 : 2, kernel), oracle)
+                        EXPECT_EQ(digest_of(scene, some, window, window == 256 ? 1 : 2, kernel,
+                                            window == 256 ? 8 : widest_lanes()),
+                                  oracle)
                             << name << " " << stokes << " " << bands << " " << gloss << " " << window;
                 }
     }

@@ -13,7 +13,7 @@ namespace land_detail {
 inline constexpr std::size_t triangle_rows = sizeof(LandingTriangle) / sizeof(Row);
 inline constexpr std::size_t chart_rows = sizeof(LandingChart) / sizeof(Row);
 
-/// Rows of eight records, one a lane, as columns.
+/// Rows of records, one a lane, as columns.
 template <std::size_t rows, class Record>
 std::array<FloatLanes, rows * row_size> columns_of(const std::vector<Record>& records,
                                                    const std::array<std::uint32_t, lane_count>& index) {
@@ -34,7 +34,7 @@ Vector<FloatLanes> vector_at(const std::array<FloatLanes, size>& columns) {
 
 }  // namespace land_detail
 
-/// Where eight rays along `direction` land on the charts of one material and side: Rays::intersect in lanes.
+/// Where a batch of rays along `direction` land on the charts of one material and side: Rays::intersect in lanes.
 inline Meeting<FloatLanes> land(const LandingTable& table, const std::array<TriangleHit, lane_count>& hits,
                                 const Vector<FloatLanes>& direction) {
     using namespace land_detail;

@@ -17,7 +17,7 @@
 
 /// Transport of many photons at a time: a window of slots goes from surface to surface, and is refilled with new photons
 /// where others end. Each round all rays are asked for at once, the photons sorted by the material they meet, and moved
-/// on eight at a time. The same formulas as the scalar engine, and the same bits.
+/// on a batch of lanes at a time. The same formulas as the scalar engine, and the same bits.
 namespace brewster::transport {
 
 template <int components, int bands, bool gloss, class Clock = NoClock>
@@ -60,7 +60,7 @@ class BlockTracer : public PhotonTracer {
     static constexpr int worlds = components > 1 ? 2 : 1;
     static constexpr int gloss_fields = PhotonLight<float, components, bands>::fields;
 
-    // Up to eight photons; returns the next.
+    // Up to a batch of photons; returns the next.
     std::uint64_t emit(const TransportContext& context, std::uint64_t photon, std::uint64_t end, WorkerSums& sums) {
         const auto count = static_cast<int>(std::min<std::uint64_t>(lane_count, end - photon));
         const EmittedPhoton<FloatLanes> emitted = context.emission.sample_lanes(photon);

@@ -35,7 +35,7 @@ struct Window {
 // A ray is one row: origin, direction, the triangle it leaves, and a word whose low byte says that it meets holes.
 static_assert(sizeof(Ray) == sizeof(Row) && sizeof(glm::vec3) == 3 * sizeof(float));
 
-/// Up to eight photons of a window, in lanes; lanes beyond the last repeat it.
+/// Photons of a window, in lanes; lanes beyond the last repeat it.
 template <int components, int bands>
 struct Batch {
     std::array<std::uint32_t, lane_count> slots;
