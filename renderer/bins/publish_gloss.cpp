@@ -95,7 +95,7 @@ class GlossPublisher {
     void write_leaf(std::uint32_t node, const glm::dvec3& weight, const glm::dvec3& unpolarized) {
         const LinearFit<4> fit(tree_.cell(node));
         const double ratio = pruning_.variance_ratio(node);
-        std::array<Linear, band_count> intensity;
+        std::array<Linear, band_count> found, intensity;  // of S0: before its limit, and after
         for (std::size_t field = 0; field < field_count_; ++field) {
             const bool is_intensity = field == 0 || field == this->unpolarized();
             const glm::dvec3& share = field == 0 || field != this->unpolarized() ? weight : unpolarized;
@@ -106,8 +106,11 @@ class GlossPublisher {
                 // All of a polarized field is relative to the intensity's sum in the same leaf.
                 const double denominator = sums_[is_intensity ? field : 0][node].weight[b];
                 Linear linear = fitted(fit, sums_[field][node], b, denominator > 0 ? density / denominator : 0);
-                const double bound = is_intensity ? linear.mean : intensity[b].mean;
-                limit(linear, bound, is_intensity);
+                if (field == 0) found[b] = linear;
+                if (is_intensity)
+                    limit(linear);
+                else
+                    limit_polarized(linear, found[b], intensity[b]);
                 if (settings_.constant_cells) linear.slopes = {};
                 if (field == 0) intensity[b] = linear;
                 const double error = denominator > 0
@@ -132,12 +135,22 @@ class GlossPublisher {
         return linear;
     }
 
-    // An intensity must not fall below zero in a corner, a polarized field not grow beyond the mean intensity.
-    static void limit(Linear& linear, double bound, bool is_intensity) {
-        const double room = is_intensity ? linear.mean : std::max(0.0, bound - std::abs(linear.mean));
+    // An intensity must not fall below zero in a corner.
+    static void limit(Linear& linear) {
         const double steepest = linear.steepest();
-        if (steepest <= room) return;
-        for (double& s : linear.slopes) s *= steepest > 0 ? room / steepest : 0;
+        if (steepest <= linear.mean) return;
+        for (double& s : linear.slopes) s *= steepest > 0 ? linear.mean / steepest : 0;
+    }
+
+    // A constant share of the intensity stays one. What the field does beyond that must not exceed what of the mean
+    // intensity is not polarized this way.
+    static void limit_polarized(Linear& linear, const Linear& found, const Linear& intensity) {
+        const double share = intensity.mean > 0 ? std::clamp(linear.mean / intensity.mean, -1.0, 1.0) : 0;
+        Linear rest = linear;
+        for (std::size_t a = 0; a < 4; ++a) rest.slopes[a] -= share * found.slopes[a];
+        const double room = std::max(0.0, intensity.mean - std::abs(linear.mean)), steepest = rest.steepest();
+        const double kept = steepest > room ? room / steepest : 1;
+        for (std::size_t a = 0; a < 4; ++a) linear.slopes[a] = share * intensity.slopes[a] + kept * rest.slopes[a];
     }
 
     // Nothing landed here: not known better than one photon of the chart's mean weight.

@@ -1,0 +1,47 @@
+#include "bins/publish_gloss.h"
+
+#include <gtest/gtest.h>
+
+#include "base/philox.h"
+#include "bins/file_event.h"
+#include "shapes.h"
+
+namespace brewster {
+namespace {
+
+/// One cell of light that falls to a twentieth across it and is polarized by the same share everywhere: so must what is
+/// published of it be, in every corner, however steep it is.
+TEST(PublishGloss, AConstantShareOfPolarizationStaysOne) {
+    constexpr float share = 0.9f;
+    GlossFields fields;
+    fields.components = 3;
+    const BinSettings settings;
+    const RecordLayout<4> layout = fields.layout();
+    BinTree<4> tree({shapes::rectangle(1, 1)}, layout, settings);
+    Tally<4> tally(layout);
+    tally.resize(tree.leaf_count());
+    constexpr std::uint64_t photons = 4000;
+    for (std::uint64_t i = 0; i < photons; ++i) {
+        const auto words = philox(3, i, 0, 0);
+        BinTree<4>::Point point;
+        for (std::size_t a = 0; a < 4; ++a) point[a] = words[a] >> 8;
+        const float light = std::exp(-3 * unit_float(words[0]));
+        std::array<float, 12> weights{};  // S0, S1, S2, S0 of the other world, three bands each
+        std::fill_n(weights.begin(), 3, light);
+        std::fill_n(weights.begin() + 3, 3, share * light);
+        std::fill_n(weights.begin() + 9, 3, light);
+        file_event<4>(tree, tally, tree.locate(0, point), point, {0, 0, weights, static_cast<std::uint32_t>(i % 8)});
+    }
+    tree.absorb(tally);
+    const GlossBins bins = publish_gloss(tree, fields, nullptr, photons, glm::dvec3(1), settings);
+    const std::size_t texels = BREWSTER_GLOSS_FIELD_TEXELS;
+    ASSERT_EQ(bins.leaves.size() % (4 * texels), 0u);
+    for (std::size_t leaf = 0; leaf < bins.leaf_count(); ++leaf) {
+        const glm::vec4* s0 = &bins.leaves[leaf * 4 * texels];
+        EXPECT_GT(std::abs(s0[1].x), 0.5f * s0[0].x);  // steep enough to be limited by itself
+        for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(s0[texels + k].x, share * s0[k].x, 2e-3f * s0[0].x) << k;
+    }
+}
+
+}  // namespace
+}  // namespace brewster
