@@ -76,6 +76,7 @@ Stage Viewer::make_stage() {
             {"complaint", shown_.complaint},
             {"notice", shown_.notice},
             {"undo", session_.can_undo()},
+            {"reading", file_.reading()},
             {"saving", taken_ != nullptr || session_.saving()},
             {"words", words()},
             {"dolp", light_ ? light_->dolp() : -1.0},
