@@ -355,9 +355,13 @@ void Viewer::look_around_pointer() {
         light_ = canvas_.look_at(glm::ivec2(low), glm::ivec2(high) + 1, size, polarization);
         return;
     }
-    const glm::vec2 place = window_.pointer();
-    if (place.x < 0 || place.y < 0 || place.x >= static_cast<float>(size.x) || place.y >= static_cast<float>(size.y))
-        return;
+    const auto in_picture = [&](glm::vec2 at) {
+        return at.x >= 0 && at.y >= 0 && at.x < static_cast<float>(size.x) && at.y < static_cast<float>(size.y);
+    };
+    // The last point stays while the pointer is over the panels, which is where its numbers are read.
+    if (in_picture(window_.pointer())) inspected_ = window_.pointer();
+    if (!inspected_ || !in_picture(*inspected_)) return;
+    const glm::vec2 place = *inspected_;
     light_ = canvas_.look_at(glm::ivec2(place), glm::ivec2(place) + 1, size, polarization);
     surface_ = seen_surface(*scene_, *rays_, view_.camera.position,
                             ray_direction(view_.camera, size.x, size.y, place.x, place.y));

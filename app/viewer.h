@@ -105,6 +105,7 @@ class Viewer {
     Shown shown_;
     std::string home_camera_;
 
+    std::optional<glm::vec2> inspected_;  ///< place in the picture, in pixels
     std::optional<SeenLight> light_;
     std::optional<SeenSurface> surface_;
     std::optional<std::array<glm::vec2, 2>> region_;  ///< corners in pixels
