@@ -30,6 +30,7 @@ constexpr double seconds_between_snapshots = 0.5;
 /// New bins begin a new mean. Until it has so many draws the old picture stays, so that edges do not flicker, and no
 /// newer bins are taken, so that it gets there however slow the drawing is.
 constexpr int draws_before_change = 8;
+constexpr std::uint64_t photons_of_far_better = 4;  // times as many
 /// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as
 /// long is left to them before the next.
 constexpr double slow_frame = 0.02;                         // seconds
@@ -268,14 +269,19 @@ void Viewer::take_bins() {
     const bool replaced = traced && traced->bins && traced->generation != sent_generation_;
     // What rays show does not wait for bins; they are taken up again with the first motion.
     const bool idle = canvas_.gathered() && !replaced && !moving();
-    if (!picture.bins() || replaced || moving() || (!idle && picture.draws(wanted) >= draws_before_change)) {
+    // Slow drawing must not keep the first bins on the screen while others far better are there.
+    const bool far_better = picture.bins() && traced && traced->bins && picture.draws(wanted) > 0 &&
+                            traced->bins->photons >= photons_of_far_better * picture.bins()->photons;
+    if (!picture.bins() || replaced || moving() ||
+        (!idle && (far_better || picture.draws(wanted) >= draws_before_change))) {
         if (traced && traced->bins) {
             picture.show(traced->bins);
+            presents_at_once_ = far_better;
             sent_generation_ = traced->generation;
         }
     }
     if (picture.uploaded() || !picture.upload(Picture::frame_bytes)) return;
-    draws_to_present_ = moving() ? 1 : draws_before_change;
+    draws_to_present_ = moving() || presents_at_once_ ? 1 : draws_before_change;
     if (bins_generation_ != sent_generation_) {
         bins_generation_ = sent_generation_;
         bins_since_ = seconds_now();

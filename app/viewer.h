@@ -127,6 +127,7 @@ class Viewer {
     bool keeps_resolution_ = false;       ///< of moving pictures, for measuring
     bool must_present_ = true, improved_ = false, hidden_ = false;
     int draws_to_present_ = 1;
+    bool presents_at_once_ = false;  ///< the bins that were taken last
     int widget_frames_ = 2;     ///< frames that widgets still want, to answer what was done
     int shrinking_ = 1;         ///< of each side of what is drawn
     double bins_since_ = -1e9;  ///< when the first bins of the generation came
