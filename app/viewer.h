@@ -128,9 +128,9 @@ class Viewer {
     bool must_present_ = true, improved_ = false, hidden_ = false;
     int draws_to_present_ = 1;
     bool presents_at_once_ = false;  ///< the bins that were taken last
-    int widget_frames_ = 2;     ///< frames that widgets still want, to answer what was done
-    int shrinking_ = 1;         ///< of each side of what is drawn
-    double bins_since_ = -1e9;  ///< when the first bins of the generation came
+    int widget_frames_ = 2;          ///< frames that widgets still want, to answer what was done
+    int shrinking_ = 1;              ///< of each side of what is drawn
+    double bins_since_ = -1e9;       ///< when the first bins of the generation came
     double last_motion_ = -1e9, last_present_ = -1e9, last_look_at_file_ = 0, last_step_ = 0, last_press_ = -1e9;
     glm::vec2 last_press_place_{0.0f};
     double frame_seconds_ = 0, frame_begin_ = 0, pause_ = 0;

@@ -19,7 +19,7 @@ struct Part {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::span<const glm::vec2> texture_coordinates{};  ///< of the vertices; none: no texture is used
     std::span<const glm::vec4> colors{};               ///< of the vertices; none: white
-    glm::dvec3 axis_x{1, 0, 0}, axis_y{0, 1, 0};  ///< of the node, in the scene: filters turn from them
+    glm::dvec3 axis_x{1, 0, 0}, axis_y{0, 1, 0};       ///< of the node, in the scene: filters turn from them
 };
 
 /// Adds a part's vertices and triangles to the scene, patch by patch (scene/patches.h) and plane by plane, each with a
