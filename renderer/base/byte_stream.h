@@ -22,11 +22,15 @@ class ByteWriter {
         const auto* bytes = reinterpret_cast<const char*>(&number);
         bytes_.append(bytes, sizeof number);
     }
-    template <class Number, class Allocator>
-    void put_all(const std::vector<Number, Allocator>& numbers) {
+    template <class Number>
+    void put_all(const std::vector<Number>& numbers) {
+        put_all(numbers.data(), numbers.size());
+    }
+    template <class Number>
+    void put_all(const Number* numbers, std::size_t count) {
         static_assert(std::is_arithmetic_v<Number> || sizeof(Number) == 16, "one kind of number");
-        put(static_cast<std::uint64_t>(numbers.size()));
-        bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+        put(static_cast<std::uint64_t>(count));
+        bytes_.append(reinterpret_cast<const char*>(numbers), count * sizeof(Number));
     }
     void put_text(std::string_view text) {
         put(static_cast<std::uint64_t>(text.size()));
@@ -50,14 +54,21 @@ class ByteReader {
         std::memcpy(&number, take(sizeof number).data(), sizeof number);
         return number;
     }
-    template <class Number, class Allocator = std::allocator<Number>>
-    std::vector<Number, Allocator> get_all() {
+    template <class Number>
+    std::vector<Number> get_all() {
         const auto count = get<std::uint64_t>();
         if (count > bytes_.size() / sizeof(Number)) refuse();
-        std::vector<Number, Allocator> numbers(static_cast<std::size_t>(count));
+        std::vector<Number> numbers(static_cast<std::size_t>(count));
         const std::string_view from = take(numbers.size() * sizeof(Number));
         if (!numbers.empty()) std::memcpy(numbers.data(), from.data(), from.size());
         return numbers;
+    }
+    /// Exactly so many.
+    template <class Number>
+    void get_all(Number* numbers, std::size_t count) {
+        if (get<std::uint64_t>() != count) refuse();
+        const std::string_view from = take(count * sizeof(Number));
+        if (count > 0) std::memcpy(numbers, from.data(), from.size());
     }
     std::string get_text() {
         const auto size = get<std::uint64_t>();

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <thread>
 #include <vector>
 
@@ -22,6 +23,18 @@ void on_threads(int count, unsigned threads, const Work& work) {
     std::vector<std::jthread> helpers;
     for (unsigned thread = 1; thread < threads; ++thread) helpers.emplace_back(take, thread);
     take(0);
+}
+
+/// Calls work(begin, end) for ranges of so many indices that together are those below `count`, on so many threads. Which
+/// ranges there are does not depend on the threads, so sums over each may be floats.
+template <class Work>
+void over_ranges(std::size_t count, std::size_t length, unsigned threads, const Work& work) {
+    const std::size_t ranges = (count + length - 1) / length;
+    const auto enough = static_cast<unsigned>(std::min<std::size_t>(threads, ranges));
+    on_threads(static_cast<int>(ranges), enough, [&](int range, unsigned) {
+        const std::size_t begin = static_cast<std::size_t>(range) * length;
+        work(begin, std::min(begin + length, count));
+    });
 }
 
 }  // namespace brewster

@@ -30,7 +30,8 @@ inline void file_event(const BinTree<D>& tree, Tally<D>& tally, std::uint32_t le
                              arrival.replica};
     std::array<float, static_cast<std::size_t>(RecordLayout<D>::most_fields * band_count)> weights{};
     std::copy(arrival.weights.begin(), arrival.weights.end(), weights.begin());
-    add_imprint<D>(weights.data(), x.data(), place, bands, tally.estimate(leaf), tally.test(leaf));
+    const auto rows = tally.touch(leaf);
+    add_imprint<D>(weights.data(), x.data(), place, bands, rows.estimate, rows.test);
 }
 
 /// Cell coordinates of a point in its leaf, in lanes.

@@ -22,25 +22,32 @@ struct Term {
     std::uint32_t unknown;
     double weight;
 };
-using Mix = std::vector<Term>;
+using Mix = std::span<const Term>;
 
 /// Finds which corners share a value.
 class Joints {
   public:
     Joints(std::span<const PublishedLeaf> leaves,
            const std::function<std::uint32_t(std::uint32_t, std::uint32_t)>& locate)
-        : leaves_(leaves), locate_(locate), states_(leaves.size()), unknowns_(leaves.size()), mixes_(leaves.size()) {
+        : leaves_(leaves), locate_(locate), states_(leaves.size()), unknowns_(leaves.size()), places_(leaves.size()) {
+        terms_.reserve(2 * leaves.size());
         for (auto& corners : unknowns_) corners.fill(none);
         for (std::uint32_t leaf = 0; leaf < leaves_.size(); ++leaf)
             for (std::size_t corner = 0; corner < 4; ++corner) resolve(leaf, corner);
     }
 
     std::uint32_t unknown_count() const { return unknown_count_; }
-    const std::array<Mix, 4>& mixes(std::size_t leaf) const { return mixes_[leaf]; }
+    Mix mix(std::size_t leaf, std::size_t corner) const {
+        const Place& place = places_[leaf][corner];
+        return {&terms_[place.begin], place.count};
+    }
 
   private:
     enum class State : unsigned char { unknown, under_way, done };
     static constexpr std::uint32_t none = ~0u;
+    struct Place {  // of a mix in terms_
+        std::uint32_t begin = 0, count = 0;
+    };
 
     Vertex vertex(std::uint32_t leaf, std::size_t corner) const {
         const Box<2>& box = leaves_[leaf].box;
@@ -71,10 +78,15 @@ class Joints {
         return true;
     }
 
-    // Which of the four cells around the vertex (low-low, high-low, low-high, high-high) hang together with `leaf`.
-    std::array<std::uint32_t, 4> group(std::uint32_t leaf, const Vertex& v) const {
+    // Which of the four cells around a corner's vertex (low-low, high-low, low-high, high-high) hang together with `leaf`.
+    std::array<std::uint32_t, 4> group(std::uint32_t leaf, std::size_t corner, const Vertex& v) const {
         std::array<std::uint32_t, 4> around{};
+        const std::size_t own = 3 - corner;
         for (std::uint32_t quadrant = 0; quadrant < 4; ++quadrant) {
+            if (quadrant == own) {
+                around[quadrant] = leaf;
+                continue;
+            }
             const std::uint32_t x = (quadrant & 1) != 0 ? v.x : v.x - 1, y = (quadrant & 2) != 0 ? v.y : v.y - 1;
             around[quadrant] = x < BREWSTER_UV_ONE && y < BREWSTER_UV_ONE ? locate_(x, y) : none;
         }
@@ -102,33 +114,34 @@ class Joints {
     }
 
     // The mix of the ends of the leaf's edge that the vertex lies in. False if those are not known yet.
-    bool hang_on_edge(std::uint32_t leaf, const Vertex& v, Mix& mix) {
+    bool hang_on_edge(std::uint32_t leaf, const Vertex& v, std::vector<Term>& terms) {
         const Box<2>& box = leaves_[leaf].box;
         const bool edge_along_v = v.x == box.low[0] || v.x == box.high[0];
         const std::size_t first = edge_along_v ? (v.x == box.high[0] ? 1u : 0u) : (v.y == box.high[1] ? 2u : 0u);
         const std::size_t second = first | (edge_along_v ? 2u : 1u);
         if (!resolve(leaf, first) || !resolve(leaf, second)) return false;
         const double t = 0.5 + 0.5 * coordinates(leaf, v)[edge_along_v ? 1 : 0];
-        mix.clear();
+        terms.clear();
         for (const auto& [end, share] : {std::pair(first, 1 - t), std::pair(second, t)})
-            for (const Term& term : mixes_[leaf][end]) mix.push_back({term.unknown, share * term.weight});
+            for (const Term& term : mix(leaf, end)) terms.push_back({term.unknown, share * term.weight});
         return true;
     }
 
     // False if the corner is being resolved further up: borders that wait for each other in a ring stay free there.
     bool resolve(std::uint32_t leaf, std::size_t corner) {
-        State& state = states_[leaf][corner];
-        if (state == State::done) return true;
-        if (state == State::under_way) return false;
-        state = State::under_way;
+        if (states_[leaf][corner] == State::done) return true;
+        if (states_[leaf][corner] == State::under_way) return false;
+        states_[leaf][corner] = State::under_way;
         const Vertex v = vertex(leaf, corner);
         std::uint32_t first = none;  // the member that names the shared value
-        bool hangs = false;
-        Mix mix;
-        for (const std::uint32_t member : group(leaf, v)) {
+        bool hangs = false, any_edge = false;
+        std::vector<Term> terms;
+        const std::array<std::uint32_t, 4> members = group(leaf, corner, v);
+        for (const std::uint32_t member : members) {
             if (member == none) continue;
             if (corner_at(member, v) == 4) {
-                hangs = hangs || hang_on_edge(member, v, mix);
+                any_edge = true;
+                hangs = hangs || hang_on_edge(member, v, terms);
             } else {
                 first = std::min(first, member);
             }
@@ -136,18 +149,29 @@ class Joints {
         if (!hangs) {
             std::uint32_t& unknown = unknowns_[first][corner_at(first, v)];
             if (unknown == none) unknown = unknown_count_++;
-            mix = {{unknown, 1.0}};
+            terms.assign(1, {unknown, 1.0});
         }
-        mixes_[leaf][corner] = std::move(mix);
-        state = State::done;
+        const Place place{static_cast<std::uint32_t>(terms_.size()), static_cast<std::uint32_t>(terms.size())};
+        terms_.insert(terms_.end(), terms.begin(), terms.end());
+        settle(leaf, corner, place);
+        // Where no edge waits for others the group is the same seen from each of its members, and so is the value.
+        if (any_edge) return true;
+        for (const std::uint32_t member : members)
+            if (member != none) settle(member, corner_at(member, v), place);
         return true;
+    }
+
+    void settle(std::uint32_t leaf, std::size_t corner, const Place& place) {
+        places_[leaf][corner] = place;
+        states_[leaf][corner] = State::done;
     }
 
     std::span<const PublishedLeaf> leaves_;
     const std::function<std::uint32_t(std::uint32_t, std::uint32_t)>& locate_;
     std::vector<std::array<State, 4>> states_;
     std::vector<std::array<std::uint32_t, 4>> unknowns_;
-    std::vector<std::array<Mix, 4>> mixes_;
+    std::vector<std::array<Place, 4>> places_;
+    std::vector<Term> terms_;
     std::uint32_t unknown_count_ = 0;
 };
 
@@ -187,10 +211,10 @@ Element element_of(const PublishedLeaf& leaf) {
 
 using Values = std::vector<glm::dvec3>;
 
-std::array<glm::dvec3, 4> corners_from(const std::array<Mix, 4>& mixes, const Values& values) {
+std::array<glm::dvec3, 4> corners_from(const Joints& joints, std::size_t leaf, const Values& values) {
     std::array<glm::dvec3, 4> corners{};
     for (std::size_t corner = 0; corner < 4; ++corner)
-        for (const Term& term : mixes[corner]) corners[corner] += term.weight * values[term.unknown];
+        for (const Term& term : joints.mix(leaf, corner)) corners[corner] += term.weight * values[term.unknown];
     return corners;
 }
 
@@ -214,29 +238,29 @@ class Projection {
         Values x(n), residual(n), diagonal(n);
         for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
             for (std::size_t corner = 0; corner < 4; ++corner) {
-                for (const Term& term : joints_.mixes(leaf)[corner]) {
+                for (const Term& term : joints_.mix(leaf, corner)) {
                     residual[term.unknown] += term.weight * elements_[leaf].load[corner];
                     diagonal[term.unknown] += term.weight * term.weight * elements_[leaf].mass[corner][corner];
                 }
             }
         }
-        const auto precondition = [&](const Values& r) {
-            Values z(n);
-            for (std::size_t i = 0; i < n; ++i) z[i] = r[i] / diagonal[i];
-            return z;
+        Values z(n), image(n);
+        const auto precondition = [&] {
+            for (std::size_t i = 0; i < n; ++i) z[i] = residual[i] / diagonal[i];
         };
-        Values z = precondition(residual), direction = z;
+        precondition();
+        Values direction = z;
         glm::dvec3 rz = dot(residual, z);
         const glm::dvec3 target = 1e-14 * rz;
         for (int step = 0; step < 100; ++step) {
             if (rz.x <= target.x && rz.y <= target.y && rz.z <= target.z) break;
-            const Values image = apply(direction);
+            apply(direction, image);
             const glm::dvec3 alpha = ratio(rz, dot(direction, image));
             for (std::size_t i = 0; i < n; ++i) {
                 x[i] += alpha * direction[i];
                 residual[i] -= alpha * image[i];
             }
-            z = precondition(residual);
+            precondition();
             const glm::dvec3 next = dot(residual, z), beta = ratio(next, rz);
             rz = next;
             for (std::size_t i = 0; i < n; ++i) direction[i] = z[i] + beta * direction[i];
@@ -249,17 +273,16 @@ class Projection {
         return {b.x > 0 ? a.x / b.x : 0, b.y > 0 ? a.y / b.y : 0, b.z > 0 ? a.z / b.z : 0};
     }
 
-    Values apply(const Values& values) const {
-        Values image(values.size());
+    void apply(const Values& values, Values& image) const {
+        std::fill(image.begin(), image.end(), glm::dvec3(0));
         for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
-            const std::array<glm::dvec3, 4> corners = corners_from(joints_.mixes(leaf), values);
+            const std::array<glm::dvec3, 4> corners = corners_from(joints_, leaf, values);
             for (std::size_t a = 0; a < 4; ++a) {
                 glm::dvec3 sum(0);
                 for (std::size_t b = 0; b < 4; ++b) sum += elements_[leaf].mass[a][b] * corners[b];
-                for (const Term& term : joints_.mixes(leaf)[a]) image[term.unknown] += term.weight * sum;
+                for (const Term& term : joints_.mix(leaf, a)) image[term.unknown] += term.weight * sum;
             }
         }
-        return image;
     }
 
     std::span<const PublishedLeaf> leaves_;
@@ -282,13 +305,13 @@ void join_corners(std::span<PublishedLeaf> leaves,
     const Values values = Projection(leaves, joints).solve();
     std::vector<double> shares(joints.unknown_count());  // how many cells' worth of corners determine a value
     for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
-        for (const Mix& mix : joints.mixes(leaf))
-            for (const Term& term : mix) shares[term.unknown] += term.weight;
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            for (const Term& term : joints.mix(leaf, corner)) shares[term.unknown] += term.weight;
     for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-        leaves[leaf].corners = corners_from(joints.mixes(leaf), values);
+        leaves[leaf].corners = corners_from(joints, leaf, values);
         double freedom = 0;
-        for (const Mix& mix : joints.mixes(leaf))
-            for (const Term& term : mix) freedom += term.weight / shares[term.unknown];
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            for (const Term& term : joints.mix(leaf, corner)) freedom += term.weight / shares[term.unknown];
         leaves[leaf].freedom = std::min(freedom, 3.0);
     }
 }

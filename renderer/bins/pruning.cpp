@@ -5,30 +5,25 @@
 namespace brewster {
 
 template <int D>
-Pruning<D>::Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings)
-    : tree_(tree), pending_(pending), photons_(photons), settings_(settings) {
+Pruning<D>::Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings,
+                    unsigned threads)
+    : tree_(tree), pending_(pending), photons_(photons), settings_(settings), threads_(threads), nodes_(tree, threads) {
     gather_spreads();
 }
 
 template <int D>
-const Quanta* Pruning<D>::pending_estimate(std::uint32_t node) const {
-    return pending_ && tree_.node(node).is_leaf() ? pending_->estimate(tree_.node(node).leaf()) : nullptr;
+bool Pruning<D>::is_pending(std::uint32_t node) const {
+    return pending_ && tree_.node(node).is_leaf() && pending_->touched(tree_.node(node).leaf());
 }
 
-template <int D>
-const Quanta* Pruning<D>::pending_test(std::uint32_t node) const {
-    return pending_ && tree_.node(node).is_leaf() ? pending_->test(tree_.node(node).leaf()) : nullptr;
-}
-
-// Children stand behind their parents, so a walk from the back meets them first.
 template <int D>
 void Pruning<D>::gather_spreads() {
     using Layout = RecordLayout<D>;
     spreads_.resize(tree_.node_count());
-    for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
+    nodes_.visit([&](std::uint32_t node) {
         Spread& spread = spreads_[node];
         const std::span<const Wide> own = tree_.sums(node).test;
-        const Quanta* pending = pending_test(node);
+        const Quanta* const pending = is_pending(node) ? pending_->test(tree_.node(node).leaf()) : nullptr;
         const auto value = [&](int row) {
             const auto i = static_cast<std::size_t>(row);
             return to_weight(own[i] + (pending ? pending[i] : 0));
@@ -36,34 +31,37 @@ void Pruning<D>::gather_spreads() {
         spread.squares = value(Layout::squares);
         for (int r = 0; r < replica_count; ++r)
             spread.replicas[static_cast<std::size_t>(r)] = value(Layout::replicas + r);
-        if (tree_.node(node).is_leaf()) continue;
+        if (tree_.node(node).is_leaf()) return;
         spread.add(spreads_[tree_.node(node).low_child()]);
         spread.add(spreads_[tree_.node(node).low_child() + 1]);
-    }
+    });
 }
 
 template <int D>
-std::vector<FieldSums<D>> Pruning<D>::sums_of(int field) const {
-    std::vector<FieldSums<D>> sums(tree_.node_count());
-    for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
-        sums[node] = read_sums<D>(tree_.layout(), tree_.sums(node).estimate, pending_estimate(node), field);
-        if (tree_.node(node).is_leaf()) continue;
+NodeSums<D> Pruning<D>::sums_of(int field) const {
+    NodeSums<D> sums(tree_.node_count());
+    nodes_.visit([&](std::uint32_t node) {
+        const Quanta* const pending = is_pending(node) ? pending_->estimate(tree_.node(node).leaf()) : nullptr;
+        sums[node] = read_sums<D>(tree_.layout(), tree_.sums(node).estimate, pending, field);
+        if (tree_.node(node).is_leaf()) return;
         for (const std::uint32_t side : {0u, 1u}) {
             const std::uint32_t child = tree_.node(node).low_child() + side;
             add_child<D>(sums[node], tree_.cell(node).box, sums[child], tree_.cell(child).box);
         }
-    }
+    });
     return sums;
 }
 
 template <int D>
-void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fields) {
-    keep_.assign(tree_.node_count(), settings_.fixed_grid_log2 >= 0);
+void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
+    const std::size_t count = tree_.node_count();
+    keep_ = ZeroedArray<std::uint8_t>(count);
+    unresolved_ = ZeroedArray<std::array<double, looked_below>>(count);
+    ZeroedArray<double> gain(count);
     const int freedom = settings_.constant_cells ? 1 : D + 1;
     const auto energy_of = [&](const LinearFit<D>& fit, double weight, const std::array<double, D>& moments) {
         return settings_.constant_cells ? weight * weight / fit.measure() : fit.energy(weight, moments);
     };
-    unresolved_.assign(tree_.node_count(), {});
     // Bands count by their relative error, so that a dim band is not drowned by a bright one.
     importance_.resize(tree_.chart_count());
     for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
@@ -72,22 +70,25 @@ void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fie
             importance_[chart][b] = mean > 0 ? 1 / (mean * mean) : 0;
         }
     }
-    std::vector<double> gain(tree_.node_count(), 0.0);
-    for (auto node = static_cast<std::uint32_t>(tree_.node_count()); node-- > 0;) {
-        if (settings_.fixed_grid_log2 >= 0 || tree_.node(node).is_leaf()) continue;
+    nodes_.visit([&](std::uint32_t node) {
+        if (tree_.node(node).is_leaf()) return;
+        if (settings_.fixed_grid_log2 >= 0) {
+            keep_[node] = 1;
+            return;
+        }
         const std::uint32_t low = tree_.node(node).low_child(), high = low + 1;
         const double time = age(low);
-        if (time <= 0) continue;
+        if (time <= 0) return;
         const Cell<D>& cell = tree_.cell(node);
         const LinearFit<D> parent(cell);
         const LinearFit<D> fits[2] = {LinearFit<D>(tree_.cell(low)), LinearFit<D>(tree_.cell(high))};
         double detail = 0, noise = 0;
         bool any = false;
         if (settings_.half_differences) {
-            keep_[node] = halves_are_known((*fields[0])[low], (*fields[0])[high]);
-            continue;
+            keep_[node] = halves_are_known((*fields[0])[low], (*fields[0])[high]) ? 1 : 0;
+            return;
         }
-        for (const std::vector<FieldSums<D>>* field : fields) {
+        for (const NodeSums<D>* field : fields) {
             FieldSums<D> later;  // what came since the split, seen by the parent
             for (const std::uint32_t child : {low, high})
                 add_child<D>(later, cell.box, (*field)[child], tree_.cell(child).box);
@@ -107,7 +108,7 @@ void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fie
                 noise += band * freedom * variance;
             }
         }
-        if (!any) continue;
+        if (!any) return;
         if (2 * time >= static_cast<double>(photons_)) {
             std::array<double, looked_below>& below = unresolved_[node];
             // Stratified photons: all of the small noise is taken off, no more, or it would hide the structure.
@@ -120,19 +121,18 @@ void Pruning<D>::choose(const std::vector<const std::vector<FieldSums<D>>*>& fie
         const double net = detail + gain[low] + gain[high] - 2 * settings_.prune_lambda * noise;
         if (net > 0) {
             gain[node] = net;
-            keep_[node] = true;
+            keep_[node] = 1;
         }
-    }
+    });
     pool_spreads();
 }
 
 template <int D>
 void Pruning<D>::pool_spreads() {
-    std::vector<double> variance(tree_.chart_count()), squares(tree_.chart_count()), leaves(tree_.chart_count());
-    std::vector<std::uint32_t> open;
-    double scene_variance = 0, scene_squares = 0;
-    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
-        open.assign(1, chart);
+    const std::size_t charts = tree_.chart_count();
+    std::vector<double> variance(charts), squares(charts), leaves(charts);
+    over_ranges(charts, 1, threads_, [&](std::size_t chart, std::size_t) {
+        std::vector<std::uint32_t> open(1, static_cast<std::uint32_t>(chart));
         while (!open.empty()) {
             const std::uint32_t node = open.back();
             open.pop_back();
@@ -145,13 +145,16 @@ void Pruning<D>::pool_spreads() {
             squares[chart] += spreads_[node].squares;
             leaves[chart] += 1;
         }
+    });
+    double scene_variance = 0, scene_squares = 0;
+    for (std::size_t chart = 0; chart < charts; ++chart) {
         scene_variance += variance[chart];
         scene_squares += squares[chart];
     }
     constexpr double lean_on_scene = 4;  // leaves
     const double scene_ratio = scene_squares > 0 ? scene_variance / scene_squares : 1;
-    chart_ratio_.resize(tree_.chart_count());
-    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+    chart_ratio_.resize(charts);
+    for (std::size_t chart = 0; chart < charts; ++chart) {
         const double own = squares[chart] > 0 ? variance[chart] / squares[chart] : scene_ratio;
         chart_ratio_[chart] = (leaves[chart] * own + lean_on_scene * scene_ratio) / (leaves[chart] + lean_on_scene);
     }

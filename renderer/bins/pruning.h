@@ -2,7 +2,9 @@
 #include <array>
 #include <vector>
 
+#include "base/zeroed_array.h"
 #include "bins/bin_settings.h"
+#include "bins/bottom_up.h"
 #include "bins/error_estimate.h"
 #include "bins/hidden_structure.h"
 #include "bins/light_sums.h"
@@ -10,6 +12,10 @@
 #include "bins/tree.h"
 
 namespace brewster {
+
+/// Sums of a field for every node, children's included.
+template <int D>
+using NodeSums = ZeroedArray<FieldSums<D>>;
 
 /// What publishing a tree starts from: sums of whole subtrees, and which splits the photons so far justify.
 template <int D>
@@ -19,17 +25,17 @@ class Pruning {
         5;  ///< levels of the tally tree under a published leaf that its bar asks
 
     /// Keeps references. `pending`: tallies of the running batch, or null.
-    Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings);
+    Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings,
+            unsigned threads);
 
-    /// Sums of a field for every node, children's included.
-    std::vector<FieldSums<D>> sums_of(int field) const;
+    NodeSums<D> sums_of(int field) const;
 
     /// Chooses the splits worth publishing for the fields whose sums are given; the first is the intensity against which
     /// errors count. Bottom-up: a split is kept if what it adds to the parent's linear fit, plus what its children gain,
     /// exceeds 2 lambda times its noise.
-    void choose(const std::vector<const std::vector<FieldSums<D>>*>& fields);
+    void choose(const std::vector<const NodeSums<D>*>& fields);
 
-    bool is_published_leaf(std::uint32_t node) const { return tree_.node(node).is_leaf() || !keep_[node]; }
+    bool is_published_leaf(std::uint32_t node) const { return tree_.node(node).is_leaf() || keep_[node] == 0; }
 
     /// Photons emitted since the cell came to be.
     double age(std::uint32_t node) const { return static_cast<double>(photons_ - tree_.cell(node).birth); }
@@ -43,8 +49,7 @@ class Pruning {
     LeafExcess excess(std::uint32_t node, const FieldSums<D>& sums, double freedom) const;
 
   private:
-    const Quanta* pending_estimate(std::uint32_t node) const;
-    const Quanta* pending_test(std::uint32_t node) const;
+    bool is_pending(std::uint32_t node) const;
     void gather_spreads();
     void pool_spreads();
 
@@ -52,10 +57,12 @@ class Pruning {
     const Tally<D>* pending_;
     const std::uint64_t photons_;
     const BinSettings& settings_;
-    std::vector<Spread> spreads_;  // per node
-    std::vector<bool> keep_;       // per node: its split is published
+    const unsigned threads_;
+    const BottomUp<D> nodes_;
+    ZeroedArray<Spread> spreads_;     // per node
+    ZeroedArray<std::uint8_t> keep_;  // per node: whether its split is published
     // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x measure.
-    std::vector<std::array<double, looked_below>> unresolved_;
+    ZeroedArray<std::array<double, looked_below>> unresolved_;
     std::vector<std::array<double, band_count>> importance_;  // per chart
     std::vector<double> chart_ratio_;                         // per chart: pooled spread over sum w^2
 };

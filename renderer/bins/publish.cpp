@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/check.h"
+#include "base/threads.h"
 #include "bins/joined_corners.h"
 #include "bins/lookup.h"
 #include "bins/pruning.h"
@@ -13,16 +14,19 @@
 namespace brewster {
 namespace {
 
+constexpr std::size_t leaves_at_a_time = 1024;
+
 class Publisher {
   public:
     Publisher(const BinTree<2>& tree, const EntryFields& fields, const Tally<2>* pending, std::uint64_t photons,
-              glm::dvec3 flux_per_weight, const BinSettings& settings)
+              glm::dvec3 flux_per_weight, const BinSettings& settings, unsigned threads)
         : tree_(tree),
           fields_(fields),
-          pruning_(tree, pending, photons, settings),
+          pruning_(tree, pending, photons, settings, threads),
           photons_(photons),
           settings_(settings),
-          flux_per_weight_(flux_per_weight) {}
+          flux_per_weight_(flux_per_weight),
+          threads_(threads) {}
 
     Snapshot run() {
         snapshot_.photons = photons_;
@@ -48,7 +52,7 @@ class Publisher {
     void lay_out(int light);
     void lay_out_node(std::uint32_t node, std::uint32_t slot);
     void fit_leaves();
-    void fit_below(std::uint32_t node, const glm::dvec3& weight);
+    void fit_below(std::uint32_t node, const glm::dvec3& weight, std::size_t& next);
     void write_leaves(int light, int world);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
@@ -60,9 +64,10 @@ class Publisher {
     const std::uint64_t photons_;
     const BinSettings& settings_;
     const glm::dvec3 flux_per_weight_;
+    const unsigned threads_;
     Snapshot snapshot_;
-    std::vector<FieldSums<2>> sums_;         // per node, of the light and world at hand
-    std::vector<PublishedLeaf> leaves_;      // of the light at hand, chart after chart
+    NodeSums<2> sums_;                       // of the light and world at hand
+    ZeroedArray<PublishedLeaf> leaves_;      // of the light at hand, chart after chart
     std::vector<std::uint32_t> leaf_nodes_;  // beside them
     struct Place {
         std::uint32_t chart, u, v;
@@ -147,12 +152,14 @@ void Publisher::lay_out_node(std::uint32_t node, std::uint32_t slot) {
 
 // In the order of lay_out.
 void Publisher::fit_leaves() {
-    leaves_.clear();
-    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
+    leaves_ = ZeroedArray<PublishedLeaf>(leaf_nodes_.size());
+    over_ranges(tree_.chart_count(), 1, threads_, [&](std::size_t chart, std::size_t) {
         const auto& total = sums_[chart].weight;
-        const std::size_t begin = leaves_.size();
-        fit_below(chart, glm::dvec3(total[0], total[1], total[2]) / pruning_.age(chart));
-        const std::span<PublishedLeaf> own(leaves_.begin() + static_cast<std::ptrdiff_t>(begin), leaves_.end());
+        const std::size_t begin = chart_begin_[chart];
+        const auto node = static_cast<std::uint32_t>(chart);
+        std::size_t next = begin;
+        fit_below(node, glm::dvec3(total[0], total[1], total[2]) / pruning_.age(node), next);
+        const std::span<PublishedLeaf> own(&leaves_[begin], next - begin);
         if (settings_.join_corners) {
             join_corners(own, [&](std::uint32_t u, std::uint32_t v) {
                 return locate(roots_[chart], u, v) - static_cast<std::uint32_t>(begin);
@@ -160,13 +167,14 @@ void Publisher::fit_leaves() {
         } else {
             keep_own_corners(own);
         }
-    }
+    });
 }
 
-void Publisher::fit_below(std::uint32_t node, const glm::dvec3& weight) {
+// Into leaves_, from the next on.
+void Publisher::fit_below(std::uint32_t node, const glm::dvec3& weight, std::size_t& next) {
     const TreeNode& tree_node = tree_.node(node);
     if (pruning_.is_published_leaf(node)) {
-        leaves_.push_back(fit_leaf(node, weight));
+        leaves_[next++] = fit_leaf(node, weight);
         return;
     }
     const std::uint32_t low = tree_node.low_child();
@@ -180,7 +188,7 @@ void Publisher::fit_below(std::uint32_t node, const glm::dvec3& weight) {
                 together > 0 ? sums_[low + side].weight[b] / together : tree_.cell(low + side).geometry.area / areas;
         }
     }
-    for (const std::uint32_t side : {0u, 1u}) fit_below(low + side, weight * shares[side]);
+    for (const std::uint32_t side : {0u, 1u}) fit_below(low + side, weight * shares[side], next);
 }
 
 std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const {
@@ -194,11 +202,14 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
 
 void Publisher::write_leaves(int light, int world) {
     std::vector<LeafExcess> excess(leaves_.size());
-    for (std::size_t i = 0; i < leaves_.size(); ++i)
-        excess[i] = pruning_.excess(leaf_nodes_[i], sums_[leaf_nodes_[i]], leaves_[i].freedom);
+    over_ranges(leaves_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            excess[i] = pruning_.excess(leaf_nodes_[i], sums_[leaf_nodes_[i]], leaves_[i].freedom);
+    });
     const std::vector<double> hidden = hidden_structure(excess, chart_begin_);
-    for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
-        for (std::size_t i = chart_begin_[chart]; i < chart_begin_[chart + 1]; ++i) {
+    if (light == 1 && world == 0) places_.resize(leaves_.size());
+    over_ranges(leaves_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
             const PublishedLeaf& leaf = leaves_[i];
             // The standard error holds the ratio already; structure is told in units of the noise without it.
             const double variance = 1 + hidden[i] / pruning_.variance_ratio(leaf_nodes_[i]);
@@ -214,28 +225,31 @@ void Publisher::write_leaves(int light, int world) {
             const auto middle = [&](std::size_t a) {
                 return leaf.box.low[a] + (leaf.box.high[a] - leaf.box.low[a]) / 2;
             };
-            places_.push_back({chart, middle(0), middle(1), leaf.geometry->area});
+            places_[i] = {tree_.cell(leaf_nodes_[i]).chart, middle(0), middle(1), leaf.geometry->area};
         }
-    }
+    });
 }
 
 /// Area-weighted rms of standard error over value, of the band mean of direct and indirect light together; values below
 /// 1 % of the scene's mean count as that, so that black corners do not rule.
 double Publisher::relative_error() const {
-    std::vector<glm::dvec2> values;  // value, standard error
-    double mean = 0, area = 0;
-    for (const Place& place : places_) {
-        const ChartBins& bins = snapshot_.charts[place.chart];
-        glm::dvec2 sum(0);
-        for (const std::uint32_t root : {bins.direct_root, bins.indirect_root}) {
-            const lookup::BinValue found = lookup::look_up(snapshot_, root, 0u, place.u, place.v);
-            const double error = (found.standard_error.x + found.standard_error.y + found.standard_error.z) / 3.0;
-            sum.x += (found.value.x + found.value.y + found.value.z) / 3.0;
-            sum.y += error * error;
+    std::vector<glm::dvec2> values(places_.size());  // value, squared standard error
+    over_ranges(places_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Place& place = places_[i];
+            const ChartBins& bins = snapshot_.charts[place.chart];
+            for (const std::uint32_t root : {bins.direct_root, bins.indirect_root}) {
+                const lookup::BinValue found = lookup::look_up(snapshot_, root, 0u, place.u, place.v);
+                const double error = (found.standard_error.x + found.standard_error.y + found.standard_error.z) / 3.0;
+                values[i].x += (found.value.x + found.value.y + found.value.z) / 3.0;
+                values[i].y += error * error;
+            }
         }
-        values.push_back(sum);
-        mean += place.area * sum.x;
-        area += place.area;
+    });
+    double mean = 0, area = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        mean += places_[i].area * values[i].x;
+        area += places_[i].area;
     }
     const double least = 0.01 * mean / area;
     double squares = 0;
@@ -249,10 +263,10 @@ double Publisher::relative_error() const {
 }  // namespace
 
 Snapshot publish(const BinTree<2>& tree, const EntryFields& fields, const Tally<2>* pending, std::uint64_t photons,
-                 glm::dvec3 flux_per_weight, const BinSettings& settings) {
+                 glm::dvec3 flux_per_weight, const BinSettings& settings, unsigned threads) {
     BREWSTER_CHECK(photons > 0, "nothing to publish before the first photon");
     BREWSTER_CHECK(tree.layout() == fields.layout(), "the tree keeps other fields");
-    return Publisher(tree, fields, pending, photons, flux_per_weight, settings).run();
+    return Publisher(tree, fields, pending, photons, flux_per_weight, settings, threads).run();
 }
 
 }  // namespace brewster

@@ -14,8 +14,8 @@ namespace brewster {
 ///
 /// `fields`: what the tree's records hold. `pending`: tallies of the running batch, or null. `photons`: emitted in all.
 /// `flux_per_weight`: per band, lumen of one unit of weight times the number of photons; where photons carry all bands
-/// apart, that is the mean power of all lamps over the bands.
+/// apart, that is the mean power of all lamps over the bands. The result is the same for any number of threads.
 Snapshot publish(const BinTree<2>& tree, const EntryFields& fields, const Tally<2>* pending, std::uint64_t photons,
-                 glm::dvec3 flux_per_weight, const BinSettings& settings);
+                 glm::dvec3 flux_per_weight, const BinSettings& settings, unsigned threads = 1);
 
 }  // namespace brewster

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/threads.h"
 #include "bins/pruning.h"
 
 namespace brewster {
 namespace {
 
-using Sums = std::vector<FieldSums<4>>;
+using Sums = NodeSums<4>;
+
+constexpr std::size_t leaves_at_a_time = 256;
 
 // A linear function of the cell coordinates, one band.
 struct Linear {
@@ -26,12 +29,13 @@ struct Linear {
 class GlossPublisher {
   public:
     GlossPublisher(const BinTree<4>& tree, const GlossFields& fields, const Tally<4>* pending, std::uint64_t photons,
-                   glm::dvec3 flux_per_weight, const BinSettings& settings)
+                   glm::dvec3 flux_per_weight, const BinSettings& settings, unsigned threads)
         : tree_(tree),
           fields_(fields),
-          pruning_(tree, pending, photons, settings),
+          pruning_(tree, pending, photons, settings, threads),
           settings_(settings),
           flux_per_weight_(flux_per_weight),
+          threads_(threads),
           field_count_(static_cast<std::size_t>(fields.layout().fields)) {
         for (int field = 0; field < fields.layout().fields; ++field) sums_.push_back(pruning_.sums_of(field));
         std::vector<const Sums*> all;
@@ -45,12 +49,21 @@ class GlossPublisher {
             const auto root = static_cast<std::uint32_t>(bins_.nodes.size());
             bins_.roots.push_back(root);
             bins_.nodes.emplace_back();
-            write_node(chart, root, total(sums_[0], chart), total(sums_[unpolarized()], chart));
+            lay_out_node(chart, root, total(sums_[0], chart), total(sums_[unpolarized()], chart));
         }
+        bins_.leaves.resize(leaves_.size() * field_count_ * BREWSTER_GLOSS_FIELD_TEXELS);
+        over_ranges(leaves_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t leaf = begin; leaf < end; ++leaf) write_leaf(leaf);
+        });
         return std::move(bins_);
     }
 
   private:
+    struct Leaf {
+        std::uint32_t node;
+        glm::dvec3 weight, unpolarized;  // per photon emitted
+    };
+
     std::size_t unpolarized() const { return static_cast<std::size_t>(fields_.unpolarized_field()); }
 
     // Weight per photon emitted.
@@ -74,11 +87,10 @@ class GlossPublisher {
         return parts;
     }
 
-    void write_node(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight, const glm::dvec3& unpolarized) {
+    void lay_out_node(std::uint32_t node, std::uint32_t slot, const glm::dvec3& weight, const glm::dvec3& unpolarized) {
         if (pruning_.is_published_leaf(node)) {
-            const auto index = static_cast<std::uint32_t>(bins_.leaf_count());
-            bins_.nodes[slot] = {0u, BREWSTER_NODE_LEAF | index};
-            write_leaf(node, weight, unpolarized);
+            bins_.nodes[slot] = {0u, BREWSTER_NODE_LEAF | static_cast<std::uint32_t>(leaves_.size())};
+            leaves_.push_back({node, weight, unpolarized});
             return;
         }
         const TreeNode& tree_node = tree_.node(node);
@@ -89,17 +101,18 @@ class GlossPublisher {
         const auto parts = shared_out(sums_[0], low, weight);
         const auto unpolarized_parts = shared_out(sums_[this->unpolarized()], low, unpolarized);
         for (const std::uint32_t side : {0u, 1u})
-            write_node(low + side, child_slot + side, parts[side], unpolarized_parts[side]);
+            lay_out_node(low + side, child_slot + side, parts[side], unpolarized_parts[side]);
     }
 
-    void write_leaf(std::uint32_t node, const glm::dvec3& weight, const glm::dvec3& unpolarized) {
+    void write_leaf(std::size_t index) {
+        const auto& [node, weight, unpolarized] = leaves_[index];
         const LinearFit<4> fit(tree_.cell(node));
         const double ratio = pruning_.variance_ratio(node);
         std::array<Linear, band_count> found, intensity;  // of S0: before its limit, and after
         for (std::size_t field = 0; field < field_count_; ++field) {
             const bool is_intensity = field == 0 || field == this->unpolarized();
             const glm::dvec3& share = field == 0 || field != this->unpolarized() ? weight : unpolarized;
-            glm::vec4* texels = append_field();
+            glm::vec4* texels = &bins_.leaves[(index * field_count_ + field) * BREWSTER_GLOSS_FIELD_TEXELS];
             for (std::size_t b = 0; b < band_count; ++b) {
                 const auto band = static_cast<int>(b);
                 const double density = flux_per_weight_[band] * share[band] / fit.measure();
@@ -119,12 +132,6 @@ class GlossPublisher {
                 write_band(texels, band, fit, linear, error);
             }
         }
-    }
-
-    glm::vec4* append_field() {
-        const std::size_t begin = bins_.leaves.size();
-        bins_.leaves.resize(begin + BREWSTER_GLOSS_FIELD_TEXELS);
-        return &bins_.leaves[begin];
     }
 
     static Linear fitted(const LinearFit<4>& fit, const FieldSums<4>& sums, std::size_t b, double scale) {
@@ -174,18 +181,21 @@ class GlossPublisher {
     Pruning<4> pruning_;
     const BinSettings& settings_;
     const glm::dvec3 flux_per_weight_;
+    const unsigned threads_;
     const std::size_t field_count_;
-    std::vector<Sums> sums_;  // per field, per node
+    std::vector<Sums> sums_;    // per field
+    std::vector<Leaf> leaves_;  // that are published
     GlossBins bins_;
 };
 
 }  // namespace
 
 GlossBins publish_gloss(const BinTree<4>& tree, const GlossFields& fields, const Tally<4>* pending,
-                        std::uint64_t photons, glm::dvec3 flux_per_weight, const BinSettings& settings) {
+                        std::uint64_t photons, glm::dvec3 flux_per_weight, const BinSettings& settings,
+                        unsigned threads) {
     BREWSTER_CHECK(photons > 0, "nothing to publish before the first photon");
     BREWSTER_CHECK(tree.layout() == fields.layout(), "the tree keeps other fields");
-    return GlossPublisher(tree, fields, pending, photons, flux_per_weight, settings).run();
+    return GlossPublisher(tree, fields, pending, photons, flux_per_weight, settings, threads).run();
 }
 
 }  // namespace brewster

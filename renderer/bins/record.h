@@ -2,11 +2,8 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "base/byte_stream.h"
 #include "base/fixed_point.h"
-#include "base/line_allocator.h"
 #include "base/units.h"
 
 namespace brewster {
@@ -89,59 +86,6 @@ struct GlossFields {
 /// Sums of one cell over everything that landed in it since it came to be.
 struct CellSums {
     std::span<const Wide> estimate, test;
-};
-
-/// What one thread has tallied since the last hand-over: one row of each record a leaf.
-template <int D>
-class Tally {
-  public:
-    explicit Tally(const RecordLayout<D>& layout = {})
-        : estimate_size_(static_cast<std::size_t>(layout.estimate_size())),
-          test_size_(static_cast<std::size_t>(layout.test_size())) {}
-
-    void resize(std::size_t leaves) {
-        estimate_.resize(leaves * estimate_size_);
-        test_.resize(leaves * test_size_);
-    }
-    std::size_t leaves() const { return test_.size() / test_size_; }
-    std::size_t estimate_size() const { return estimate_size_; }
-    std::size_t test_size() const { return test_size_; }
-
-    Quanta* estimate(std::uint32_t leaf) { return &estimate_[leaf * estimate_size_]; }
-    Quanta* test(std::uint32_t leaf) { return &test_[leaf * test_size_]; }
-    const Quanta* estimate(std::uint32_t leaf) const { return &estimate_[leaf * estimate_size_]; }
-    const Quanta* test(std::uint32_t leaf) const { return &test_[leaf * test_size_]; }
-
-    /// Moves the other's sums into this tally and leaves it at zero.
-    void take(Tally& other) {
-        drain(other.estimate_, estimate_);
-        drain(other.test_, test_);
-    }
-
-    void write(ByteWriter& file) const {
-        file.put_all(estimate_);
-        file.put_all(test_);
-    }
-    /// Sums of as many leaves as the tally has room for.
-    void read(ByteReader& file) {
-        const std::size_t estimates = estimate_.size(), tests = test_.size();
-        estimate_ = file.get_all<Quanta, LineAllocator<Quanta>>();
-        test_ = file.get_all<Quanta, LineAllocator<Quanta>>();
-        if (estimate_.size() != estimates || test_.size() != tests) file.refuse();
-    }
-
-  private:
-    using Rows = std::vector<Quanta, LineAllocator<Quanta>>;
-
-    static void drain(Rows& from, Rows& to) {
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            to[i] += from[i];
-            from[i] = 0;
-        }
-    }
-
-    std::size_t estimate_size_, test_size_;
-    Rows estimate_, test_;
 };
 
 }  // namespace brewster

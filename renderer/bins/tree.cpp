@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "base/threads.h"
 #include "bins/half_difference.h"
 #include "bins/split_test.h"
 
@@ -13,6 +14,7 @@ namespace brewster {
 namespace {
 
 constexpr std::uint32_t smallest_size = BREWSTER_UV_ONE >> 12;  // a cell's least extent: 1/4096 of its chart
+constexpr std::size_t leaves_at_a_time = 512, splits_at_a_time = 64, charts_at_a_time = 64;
 
 template <int D>
 Box<2> position_box(const Box<D>& box) {
@@ -40,14 +42,6 @@ NullMoments<D> null_moments(const CellGeometry& geometry) {
     }
     null.sign_product[0] = geometry.sign_product;  // the pair (u, v) is the first
     return null;
-}
-
-void drain(Quanta* from, std::vector<Wide>& to, std::size_t row, int size) {
-    const auto count = static_cast<std::size_t>(size);
-    for (std::size_t i = 0; i < count; ++i) {
-        to[row * count + i] += from[i];
-        from[i] = 0;
-    }
 }
 
 std::uint32_t fixed(double unit) {
@@ -108,24 +102,27 @@ BinTree<D>::BinTree(std::vector<Outline> outlines, const RecordLayout<D>& layout
 
 // Of many charts, each has few leaves, and a directory would be longer than the way.
 template <int D>
-void BinTree<D>::fill_directory() {
+void BinTree<D>::fill_directory(unsigned threads) {
     if (chart_count() > most_directories) return;
     constexpr std::uint32_t cells = 1u << directory_bits, size = BREWSTER_UV_ONE >> directory_bits;
-    directory_.clear();
-    for (std::uint32_t chart = 0; chart < chart_count(); ++chart)
-        for (std::uint32_t row = 0; row < cells; ++row)
-            for (std::uint32_t column = 0; column < cells; ++column) {
-                const std::array<std::uint32_t, 2> low = {column * size, row * size};
-                std::uint32_t index = chart;
-                for (;;) {
-                    const TreeNode& node = nodes_[index];
-                    if (node.is_leaf() || node.axis() >= 2) break;
-                    const bool below_split = low[node.axis()] + size <= node.split;
-                    if (!below_split && low[node.axis()] < node.split) break;  // the border runs through the cell
-                    index = node.low_child() + (below_split ? 0u : 1u);
+    directory_.resize(std::size_t{chart_count()} * cells * cells);
+    over_ranges(chart_count(), charts_at_a_time, threads, [&](std::size_t begin, std::size_t end) {
+        std::uint32_t* entry = &directory_[begin * cells * cells];
+        for (auto chart = static_cast<std::uint32_t>(begin); chart < end; ++chart)
+            for (std::uint32_t row = 0; row < cells; ++row)
+                for (std::uint32_t column = 0; column < cells; ++column) {
+                    const std::array<std::uint32_t, 2> low = {column * size, row * size};
+                    std::uint32_t index = chart;
+                    for (;;) {
+                        const TreeNode& node = nodes_[index];
+                        if (node.is_leaf() || node.axis() >= 2) break;
+                        const bool below_split = low[node.axis()] + size <= node.split;
+                        if (!below_split && low[node.axis()] < node.split) break;  // the border runs through the cell
+                        index = node.low_child() + (below_split ? 0u : 1u);
+                    }
+                    *entry++ = index;
                 }
-                directory_.push_back(index);
-            }
+    });
 }
 
 // The middle of what is occupied, so that no child is empty.
@@ -141,32 +138,43 @@ bool BinTree<D>::split_position(std::uint32_t index, int axis, std::uint32_t& po
 }
 
 template <int D>
-void BinTree<D>::split(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons) {
+std::array<Cell<D>, 2> BinTree<D>::halves(std::uint32_t index, int axis, std::uint32_t position,
+                                          std::uint64_t photons) const {
     const auto a = static_cast<std::size_t>(axis);
+    const Cell<D>& cell = cells_[index];
+    std::array<Cell<D>, 2> children;
+    for (const std::size_t side : {0u, 1u}) {
+        Cell<D>& child = children[side];
+        child.chart = cell.chart;
+        child.box = cell.box;
+        (side == 0 ? child.box.high : child.box.low)[a] = position;
+        child.birth = photons;
+        if (cell.geometry.full) {
+            child.geometry = cell.geometry;
+            if (a < 2) {
+                child.geometry.area *= static_cast<double>(child.box.high[a] - child.box.low[a]) /
+                                       static_cast<double>(cell.box.high[a] - cell.box.low[a]);
+            }
+        } else if (a >= 2) {  // the same place, half of the directions
+            child.geometry = cell.geometry;
+            child.triangles = cell.triangles;
+        } else {
+            const Outline& outline = outlines_[child.chart];
+            child.triangles = triangles_in(outline, position_box(child.box), cell.triangles);
+            child.geometry = cell_geometry(outline, position_box(child.box), child.triangles);
+            if (child.geometry.full) child.triangles.clear();
+        }
+    }
+    return children;
+}
+
+template <int D>
+void BinTree<D>::split(std::uint32_t index, int axis, std::uint32_t position, std::array<Cell<D>, 2> children) {
     const auto low_child = static_cast<std::uint32_t>(nodes_.size());
     const std::uint32_t leaf = nodes_[index].leaf();
     BREWSTER_CHECK(low_child + 1 < BREWSTER_NODE_INDEX, "too many nodes for the layout");
     for (int side = 0; side < 2; ++side) {
-        Cell<D> child;
-        child.chart = cells_[index].chart;
-        child.box = cells_[index].box;
-        (side == 0 ? child.box.high : child.box.low)[a] = position;
-        child.birth = photons;
-        if (cells_[index].geometry.full) {
-            child.geometry = cells_[index].geometry;
-            if (a < 2) {
-                child.geometry.area *= static_cast<double>(child.box.high[a] - child.box.low[a]) /
-                                       static_cast<double>(cells_[index].box.high[a] - cells_[index].box.low[a]);
-            }
-        } else if (a >= 2) {  // the same place, half of the directions
-            child.geometry = cells_[index].geometry;
-            child.triangles = cells_[index].triangles;
-        } else {
-            const Outline& outline = outlines_[child.chart];
-            child.triangles = triangles_in(outline, position_box(child.box), cells_[index].triangles);
-            child.geometry = cell_geometry(outline, position_box(child.box), child.triangles);
-            if (child.geometry.full) child.triangles.clear();
-        }
+        Cell<D>& child = children[static_cast<std::size_t>(side)];
         const std::uint32_t row = side == 0 ? leaf : static_cast<std::uint32_t>(frames_.size());
         if (side == 1) {
             frames_.emplace_back();
@@ -264,16 +272,24 @@ std::size_t BinTree<D>::bytes() const {
 }
 
 template <int D>
-void BinTree<D>::absorb(Tally<D>& tally) {
-    for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
-        const std::size_t node = node_of_leaf_[leaf];
-        drain(tally.estimate(leaf), estimate_sums_, node, layout_.estimate_size());
-        drain(tally.test(leaf), test_sums_, node, layout_.test_size());
-    }
+void BinTree<D>::absorb(std::span<Tally<D>* const> tallies, unsigned threads) {
+    const auto estimate = static_cast<std::size_t>(layout_.estimate_size());
+    const auto test = static_cast<std::size_t>(layout_.test_size());
+    untested_.resize(leaf_count());
+    over_ranges(leaf_count(), leaves_at_a_time, threads, [&](std::size_t begin, std::size_t end) {
+        for (auto leaf = static_cast<std::uint32_t>(begin); leaf < end; ++leaf)
+            for (Tally<D>* const tally : tallies) {
+                if (!tally->touched(leaf)) continue;
+                const std::size_t node = node_of_leaf_[leaf];
+                tally->move(leaf, &estimate_sums_[node * estimate], &test_sums_[node * test]);
+                untested_[leaf] = 1;
+            }
+    });
 }
 
 template <int D>
-void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings, std::size_t bytes_elsewhere) {
+void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings, std::size_t bytes_elsewhere,
+                              unsigned threads) {
     if (settings.fixed_grid_log2 >= 0) return;
     struct Candidate {
         double value;
@@ -281,23 +297,38 @@ void BinTree<D>::split_leaves(std::uint64_t photons, const BinSettings& settings
         int axis;
         std::uint32_t position;
     };
+    std::vector<std::vector<Candidate>> found((leaf_count() + leaves_at_a_time - 1) / leaves_at_a_time);
+    untested_.resize(leaf_count());
+    over_ranges(leaf_count(), leaves_at_a_time, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t leaf = begin; leaf < end; ++leaf) {
+            if (untested_[leaf] == 0) continue;
+            untested_[leaf] = 0;
+            const std::uint32_t index = node_of_leaf_[leaf];
+            const NullMoments<D> null = null_moments<D>(cells_[index].geometry);
+            const auto choice = settings.half_differences ? choose_half<D>(sums(index), null)
+                                                          : choose_split<D>(layout_, sums(index), null, settings);
+            if (!choice) continue;
+            Candidate candidate{choice->z_squared * choice->power, index, choice->axis, 0};
+            if (split_position(index, candidate.axis, candidate.position))
+                found[begin / leaves_at_a_time].push_back(candidate);
+        }
+    });
     std::vector<Candidate> candidates;
-    for (const std::uint32_t index : node_of_leaf_) {
-        const NullMoments<D> null = null_moments<D>(cells_[index].geometry);
-        const auto choice = settings.half_differences ? choose_half<D>(sums(index), null)
-                                                      : choose_split<D>(layout_, sums(index), null, settings);
-        if (!choice) continue;
-        Candidate candidate{choice->z_squared * choice->power, index, choice->axis, 0};
-        if (split_position(index, candidate.axis, candidate.position)) candidates.push_back(candidate);
-    }
+    for (const auto& some : found) candidates.insert(candidates.end(), some.begin(), some.end());
     std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
         return a.value != b.value ? a.value > b.value : a.node < b.node;
     });
-    for (const Candidate& candidate : candidates) {
-        if (bytes() + 2 * bytes_per_node() + bytes_elsewhere > settings.memory_bytes) break;
-        split(candidate.node, candidate.axis, candidate.position, photons);
-    }
-    fill_directory();
+    const std::size_t used = bytes() + bytes_elsewhere, split_bytes = 2 * bytes_per_node();
+    const std::size_t affordable = used < settings.memory_bytes ? (settings.memory_bytes - used) / split_bytes : 0;
+    if (candidates.size() > affordable) candidates.resize(affordable);
+    std::vector<std::array<Cell<D>, 2>> children(candidates.size());
+    over_ranges(candidates.size(), splits_at_a_time, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            children[i] = halves(candidates[i].node, candidates[i].axis, candidates[i].position, photons);
+    });
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        split(candidates[i].node, candidates[i].axis, candidates[i].position, std::move(children[i]));
+    fill_directory(threads);
 }
 
 template class BinTree<2>;

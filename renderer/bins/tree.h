@@ -1,13 +1,16 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/units.h"
 #include "base/word_lanes.h"
+#include "base/zeroed_array.h"
 #include "bins/bin_settings.h"
 #include "bins/outline.h"
 #include "bins/record.h"
+#include "bins/tally.h"
 #include "shared/bin_layout.h"
 
 namespace brewster {
@@ -111,12 +114,18 @@ class BinTree {
     /// The tree that was written, of the same outlines and layout; anything else is refused.
     static BinTree read(ByteReader& file, std::vector<Outline> outlines, const RecordLayout<D>& layout);
 
-    /// Adds a tally to the sums of the leaves and leaves it at zero.
-    void absorb(Tally<D>& tally);
+    /// Adds tallies to the sums of the leaves and leaves them at zero, on so many threads.
+    void absorb(std::span<Tally<D>* const> tallies, unsigned threads = 1);
+    void absorb(Tally<D>& tally) {
+        Tally<D>* const one = &tally;
+        absorb({&one, 1});
+    }
 
-    /// Tests every leaf and splits those that pass, the most valuable first, while the memory budget lasts. `photons`:
-    /// emitted so far, in all. `bytes_elsewhere`: of the budget, what others hold.
-    void split_leaves(std::uint64_t photons, const BinSettings& settings, std::size_t bytes_elsewhere = 0);
+    /// Tests every leaf that something was filed in since it was last tested and splits those that pass, the most valuable
+    /// first, while the memory budget lasts. The others would give the same answer again, and a budget that is spent stays
+    /// so. `photons`: emitted so far, in all. `bytes_elsewhere`: of the budget, what others hold.
+    void split_leaves(std::uint64_t photons, const BinSettings& settings, std::size_t bytes_elsewhere = 0,
+                      unsigned threads = 1);
 
     /// Records and two snapshots, by formula, so that the budget means the same on every machine.
     std::size_t bytes() const;
@@ -152,9 +161,13 @@ class BinTree {
             if (!any_of(!all_end)) return leaves;
         }
     }
-    void fill_directory();
+    void fill_directory(unsigned threads = 1);
     bool split_position(std::uint32_t index, int axis, std::uint32_t& position) const;
-    void split(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons);
+    std::array<Cell<D>, 2> halves(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons) const;
+    void split(std::uint32_t index, int axis, std::uint32_t position, std::array<Cell<D>, 2> children);
+    void split(std::uint32_t index, int axis, std::uint32_t position, std::uint64_t photons) {
+        split(index, axis, position, halves(index, axis, position, photons));
+    }
     void split_along_contacts(std::uint32_t chart);
     void cut(std::uint32_t index, int axis, std::uint32_t position, std::uint32_t begin, std::uint32_t end);
     void split_evenly(std::uint32_t index, int levels, const glm::dvec2& size);
@@ -166,9 +179,10 @@ class BinTree {
     RecordLayout<D> layout_;
     std::vector<TreeNode> nodes_;                  // the roots first, one a chart
     std::vector<Cell<D>> cells_;                   // beside nodes_
-    std::vector<Wide> estimate_sums_, test_sums_;  // beside nodes_, a record each
+    ZeroedArray<Wide> estimate_sums_, test_sums_;  // beside nodes_, a record each
     std::vector<LeafFrame<D>> frames_;
     std::vector<std::uint32_t> node_of_leaf_;
+    std::vector<std::uint8_t> untested_;    // per leaf: whether something was filed since it was last tested
     std::vector<std::uint32_t> directory_;  // 16 x 16 cells a chart: the node that all of a cell's light comes by
 };
 

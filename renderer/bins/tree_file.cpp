@@ -17,8 +17,8 @@ void BinTree<D>::write(ByteWriter& file) const {
     file.put_all(splits);
     file.put_all(words);
     file.put_all(births);
-    file.put_all(estimate_sums_);
-    file.put_all(test_sums_);
+    file.put_all(estimate_sums_.data(), estimate_sums_.size());
+    file.put_all(test_sums_.data(), test_sums_.size());
 }
 
 template <int D>
@@ -53,10 +53,8 @@ BinTree<D> BinTree<D>::read(ByteReader& file, std::vector<Outline> outlines, con
     for (std::uint32_t i = 0; i < count; ++i)
         if (tree.node(i).word != words[i]) file.refuse();
 
-    const std::size_t estimates = tree.estimate_sums_.size(), tests = tree.test_sums_.size();
-    tree.estimate_sums_ = file.get_all<Wide>();
-    tree.test_sums_ = file.get_all<Wide>();
-    if (tree.estimate_sums_.size() != estimates || tree.test_sums_.size() != tests) file.refuse();
+    file.get_all(tree.estimate_sums_.data(), tree.estimate_sums_.size());
+    file.get_all(tree.test_sums_.data(), tree.test_sums_.size());
     tree.fill_directory();
     return tree;
 }

@@ -53,7 +53,7 @@ void add_tree(Digest& digest, const BinTree<D>& tree, const Tally<D>& pending) {
     for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
         digest.add(std::uint64_t{tree.node(node).split} << 32 | tree.node(node).word);
         const CellSums sums = tree.sums(node);
-        const bool leaf = tree.node(node).is_leaf();
+        const bool leaf = tree.node(node).is_leaf() && pending.touched(tree.node(node).leaf());
         const Quanta* estimate = leaf ? pending.estimate(tree.node(node).leaf()) : nullptr;
         const Quanta* test = leaf ? pending.test(tree.node(node).leaf()) : nullptr;
         for (std::size_t i = 0; i < sums.estimate.size(); ++i) add_wide(sums.estimate[i] + (leaf ? estimate[i] : 0));
@@ -80,9 +80,9 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
     }
     const unsigned count = thread_count(settings.threads);
     if (settings.bins.half_differences) batch = BatchSequence(1, one_part_in_50);
-    sums.fit(bins, emission.guide());
+    for (unsigned index = 0; index < count; ++index) own.emplace_back(bins);
+    fit_tallies();
     count_leaves();
-    handed_over.assign(count, 0);
     photons_by_thread.assign(count, 0);
     for (unsigned index = 0; index < count; ++index) workers.emplace_back([this, index] { work(index); });
     conductor = std::jthread([this] { conduct(); });
@@ -103,7 +103,7 @@ Engine::Impl::~Impl() {
 bool Engine::Impl::take_block(std::uint64_t& begin, std::uint64_t& end) {
     if (!run || quit || next_photon >= limit) return false;
     begin = next_photon;
-    const std::uint64_t share = (limit - begin) / (2 * handed_over.size() * photons_per_block);
+    const std::uint64_t share = (limit - begin) / (2 * own.size() * photons_per_block);
     end = std::min(limit, (begin / photons_per_block + std::clamp<std::uint64_t>(share, 1, most_blocks_taken)) *
                               photons_per_block);
     next_photon = end;
@@ -116,38 +116,16 @@ void Engine::Impl::work(unsigned index) {
                                                      ? make_thesis_tracer(kernel, settings.thesis)
                                                      : make_tracer(kernel, settings.window, settings.lanes);
     std::unique_lock lock(mutex);
-    WorkerSums own(bins);  // a saved solution may replace the trees before the first block
     while (!quit) {
         std::uint64_t begin = 0, end = 0;
-        if (handed_over[index] != hand_over) {
-            const std::uint64_t wish = hand_over;
-            // Leaves change only when every tally is at zero, so resizing loses nothing.
-            if (own.counts.photons > 0) {
-                sums.counts.add(own.counts);
-                sums.ledger.add(own.ledger);
-                own.ledger = {};
-                own.counts = {};
-                lock.unlock();  // a window that asks for numbers does not wait for tallies
-                {
-                    const std::lock_guard merging(merge);
-                    sums.entry.take(own.entry);
-                    sums.gloss.take(own.gloss);
-                    sums.guide.take(own.guide);
-                }
-                lock.lock();
-            }
-            handed_over[index] = wish;
-            something_done.notify_all();
-        }
         if (!take_block(begin, end)) {
-            if (!quit) work_to_do.wait(lock);  // it may have come while tallies were merged
+            work_to_do.wait(lock);
             continue;
         }
         ++busy;
-        own.fit(bins, emission.guide());
         lock.unlock();
         try {
-            tracer->trace(context, begin, end, own);
+            tracer->trace(context, begin, end, own[index]);
         } catch (...) {
             const std::lock_guard failed(mutex);
             if (!failure) failure = std::current_exception();
@@ -160,14 +138,69 @@ void Engine::Impl::work(unsigned index) {
     }
 }
 
-// Waits until every worker rests or has handed over what it had when asked. False where the engine ends instead.
-bool Engine::Impl::collect(std::unique_lock<std::mutex>& lock) {
-    ++hand_over;
-    work_to_do.notify_all();
-    something_done.wait(lock, [&] {
-        return quit || std::all_of(handed_over.begin(), handed_over.end(), [&](auto met) { return met == hand_over; });
-    });
+// Lets no worker take photons until the batch is opened again, and waits until all rest. False where the engine ends
+// instead.
+bool Engine::Impl::hold(std::unique_lock<std::mutex>& lock) {
+    limit = next_photon;
+    something_done.wait(lock, [&] { return quit || busy == 0; });
     return !quit;
+}
+
+// Workers must rest.
+void Engine::Impl::take_counts() {
+    for (WorkerSums& from : own) {
+        sums.counts.add(from.counts);
+        sums.ledger.add(from.ledger);
+        sums.guide.take(from.guide);
+        from.ledger = {};
+        from.counts = {};
+    }
+}
+
+// Workers must rest.
+template <int D>
+std::vector<Tally<D>*> Engine::Impl::tallies(Tally<D> WorkerSums::*tally) {
+    std::vector<Tally<D>*> all;
+    for (WorkerSums& from : own) all.push_back(&(from.*tally));
+    return all;
+}
+
+// Brings all that was tallied together in `sums`. Drops the lock while it computes, so that a window that asks for numbers
+// does not wait. False where the engine ends instead.
+bool Engine::Impl::collect(std::unique_lock<std::mutex>& lock) {
+    if (!hold(lock)) return false;
+    take_counts();
+    lock.unlock();
+    sums.entry.take(tallies(&WorkerSums::entry), threads());
+    if (kernel.gloss) sums.gloss.take(tallies(&WorkerSums::gloss), threads());
+    lock.lock();
+    return !quit;
+}
+
+// The trees take in what the batch brought, and grow. Likewise.
+bool Engine::Impl::end_batch(std::unique_lock<std::mutex>& lock) {
+    if (!hold(lock)) return false;
+    take_counts();
+    lock.unlock();
+    const auto absorb = [&]<int D>(BinTree<D>& tree, Tally<D> WorkerSums::*tally, std::size_t bytes_elsewhere) {
+        std::vector<Tally<D>*> all = tallies(tally);
+        all.push_back(&(sums.*tally));
+        tree.absorb(all, threads());
+        tree.split_leaves(batch.end(), settings.bins, bytes_elsewhere, threads());
+    };
+    absorb(bins.entry, &WorkerSums::entry, bins.gloss.bytes());
+    if (kernel.gloss) absorb(bins.gloss, &WorkerSums::gloss, bins.entry.bytes());
+    if (settings.guided_emission) emission.guide().learn(sums.guide);
+    fit_tallies();
+    lock.lock();
+    count_leaves();
+    batch.next();
+    return !quit;
+}
+
+void Engine::Impl::fit_tallies() {
+    sums.fit(bins, emission.guide());
+    for (WorkerSums& worker : own) worker.fit(bins, emission.guide());
 }
 
 bool Engine::Impl::rule_holds() const {
@@ -178,8 +211,7 @@ bool Engine::Impl::rule_holds() const {
            newest->relative_error <= *rule.target_error;
 }
 
-// Sums must be collected. Drops the lock while it computes: nobody else changes the trees, and no worker hands over
-// before it is asked again.
+// Sums must be collected. Drops the lock while it computes: nobody else changes the trees or the sums.
 void Engine::Impl::publish_now(std::unique_lock<std::mutex>& lock) {
     const std::uint64_t photons = sums.counts.photons;
     if (photons == 0 || (newest && newest->photons == photons)) return;
@@ -187,10 +219,10 @@ void Engine::Impl::publish_now(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     auto snapshot =
         std::make_shared<Snapshot>(publish(bins.entry, bins.entry_fields, between_batches ? nullptr : &sums.entry,
-                                           photons, flux_per_weight(), settings.bins));
+                                           photons, flux_per_weight(), settings.bins, threads()));
     if (kernel.gloss) {
         snapshot->gloss = publish_gloss(bins.gloss, bins.gloss_fields, between_batches ? nullptr : &sums.gloss, photons,
-                                        flux_per_weight(), settings.bins);
+                                        flux_per_weight(), settings.bins, threads());
     }
     spread_roots(snapshot->gloss, bins.gloss_charts);
     lock.lock();
@@ -229,7 +261,6 @@ void Engine::Impl::conduct() {
     while (!quit) {
         if (!run) {
             if (!done) {  // paused, stopped or failed: let the blocks in flight end, then show all there is
-                something_done.wait(lock, [&] { return quit || busy == 0; });
                 if (!collect(lock)) break;
                 if (!failure) publish_now(lock);
                 seconds += seconds_since(resumed);
@@ -248,19 +279,7 @@ void Engine::Impl::conduct() {
                             seconds_since(last_publication) >=
                                 std::max(settings.snapshot_seconds, shares_of_publication * publication_seconds);
         if (next_photon >= batch.end() && busy == 0) {
-            if (!collect(lock)) break;
-            lock.unlock();  // no worker has photons to take; others may ask for numbers
-            bins.entry.absorb(sums.entry);
-            bins.entry.split_leaves(batch.end(), settings.bins, bins.gloss.bytes());
-            if (kernel.gloss) {
-                bins.gloss.absorb(sums.gloss);
-                bins.gloss.split_leaves(batch.end(), settings.bins, bins.entry.bytes());
-            }
-            if (settings.guided_emission) emission.guide().learn(sums.guide);
-            sums.fit(bins, emission.guide());
-            lock.lock();
-            count_leaves();
-            batch.next();
+            if (!end_batch(lock)) break;
             // Until batches have grown to their full length, each makes light much better.
             const bool much_better = !newest || 4 * batch.begin() >= 5 * newest->photons;
             if (!newest || rule.target_error || wanted || (settings.snapshot_seconds > 0 && much_better)) {
@@ -270,6 +289,7 @@ void Engine::Impl::conduct() {
             }
         } else if (wanted) {
             if (!collect(lock)) break;
+            open_batch();
             publish_and_clock();
         }
         if (rule_holds()) run = false;

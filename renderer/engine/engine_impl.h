@@ -22,9 +22,10 @@ inline double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// One conductor and several workers. The conductor owns the trees: it opens a batch, the workers take its blocks and
-/// trace into tallies of their own, and hand them over when the batch is done or somebody wants to look; then the
-/// conductor publishes, or ends the batch and lets the trees grow. Nobody reads another thread's tallies.
+/// One conductor and several workers. The conductor owns the trees: it opens a batch, and the workers take its blocks and
+/// trace into tallies of their own. When the batch is done or somebody wants to look, it lets no worker take more, waits
+/// until all rest, and takes over what they tallied; then it ends the batch and lets the trees grow, or publishes. What it
+/// does meanwhile it shares out among as many threads as rest.
 struct Engine::Impl {
     Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& settings_in);
     ~Impl();
@@ -35,8 +36,15 @@ struct Engine::Impl {
     bool rule_holds() const;
     void publish_now(std::unique_lock<std::mutex>& lock);
     void open_batch();
+    bool hold(std::unique_lock<std::mutex>& lock);
     bool collect(std::unique_lock<std::mutex>& lock);
+    bool end_batch(std::unique_lock<std::mutex>& lock);
+    void take_counts();
+    void fit_tallies();
+    template <int D>
+    std::vector<Tally<D>*> tallies(Tally<D> WorkerSums::*tally);
     void count_leaves();
+    unsigned threads() const { return static_cast<unsigned>(own.size()); }
     glm::dvec3 flux_per_weight() const;
     void write(SolutionWriter& file) const;
     void read(const SolutionReader& file);
@@ -53,16 +61,14 @@ struct Engine::Impl {
 
     mutable std::mutex mutex;
     std::condition_variable work_to_do, something_done;
-    std::mutex merge;  // of tallies into the sums of the batch; taken last
 
     // Guarded by the mutex.
     BatchSequence batch;
-    std::uint64_t next_photon = 0;           // the first that no worker has taken
-    std::uint64_t limit = 0;                 // workers take photons below this
-    unsigned busy = 0;                       // workers inside a block
-    std::uint64_t hand_over = 0;             // a growing wish: hand over what you have
-    std::vector<std::uint64_t> handed_over;  // per worker: the wish it has met
-    WorkerSums sums{bins};                   // of the running batch (bins; by `merge`) and of all (ledger, counts)
+    std::uint64_t next_photon = 0;  // the first that no worker has taken
+    std::uint64_t limit = 0;        // workers take photons below this
+    unsigned busy = 0;              // workers inside a block
+    WorkerSums sums{bins};          // of the running batch, as far as collected (bins), and of all (ledger, counts)
+    std::vector<WorkerSums> own;    // per worker, its own while it is inside a block, the conductor's while it rests
     std::vector<std::uint64_t> photons_by_thread;
     StopRule rule;
     bool run = false;  // the user wants photons

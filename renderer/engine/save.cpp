@@ -103,7 +103,7 @@ void Engine::Impl::read(const SolutionReader& file) {
     sums.guide.useful = guide.get_all<std::uint64_t>();
     const std::size_t cells = emission.guide().cell_count();
     if (sums.guide.traced.size() != cells || sums.guide.useful.size() != cells) guide.refuse();
-    sums.fit(bins, emission.guide());
+    fit_tallies();
     sums.entry.read(entry);
     sums.gloss.read(gloss);
     if (!entry.at_end() || !gloss.at_end() || !guide.at_end()) entry.refuse();

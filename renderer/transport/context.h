@@ -38,8 +38,8 @@ struct Bins {
     BinTree<4> gloss;  ///< what rough interfaces send on, of gloss_charts in their order
 };
 
-/// Everything one worker tallies.
-struct WorkerSums {
+/// Everything one worker tallies; on cache lines of its own.
+struct alignas(64) WorkerSums {
     explicit WorkerSums(const Bins& bins) : entry(bins.entry.layout()), gloss(bins.gloss.layout()) {}
 
     /// Makes room for all leaves and cells; a tally that holds sums keeps them.

@@ -19,6 +19,20 @@ TEST(Threads, EachIndexOnceOnAThreadThatIsThere) {
     on_threads(0, 3, [](int, unsigned) { FAIL() << "there is nothing to do"; });
 }
 
+TEST(Threads, RangesCoverAllAndAreTheSameForAnyThreads) {
+    for (const std::size_t count : {0u, 1u, 64u, 1000u}) {
+        for (const unsigned threads : {1u, 3u}) {
+            std::vector<std::atomic<int>> calls(count);
+            over_ranges(count, 64, threads, [&](std::size_t begin, std::size_t end) {
+                EXPECT_EQ(begin % 64, 0u);
+                EXPECT_EQ(end, std::min(begin + 64, count));
+                for (std::size_t i = begin; i < end; ++i) ++calls[i];
+            });
+            for (const std::atomic<int>& calls_of_one : calls) EXPECT_EQ(calls_of_one, 1);
+        }
+    }
+}
+
 TEST(Threads, AsManyAsWanted) {
     EXPECT_EQ(thread_count(7), 7u);
     EXPECT_GE(thread_count(), 1u);

@@ -97,7 +97,7 @@ TEST(Publish, ConstantRadianceIsOneExactLeafOnAnyShape) {
             if (!tree.node(node).is_leaf()) continue;
             const CellGeometry& g = tree.cell(node).geometry;
             const double weight = 1000 * g.area / whole;
-            Quanta* row = tally.estimate(tree.node(node).leaf());
+            Quanta* row = tally.touch(tree.node(node).leaf()).estimate;
             for (int band = 0; band < band_count; ++band, row += RecordLayout<2>::estimate_stride) {
                 row[0] = to_quanta(weight);
                 row[1] = to_quanta(weight * g.mean[0]);

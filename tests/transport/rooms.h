@@ -8,7 +8,7 @@
 namespace brewster::rooms {
 
 inline std::shared_ptr<const Scene> read(const std::string& name) {
-    return std::make_shared<const Scene>(read_scene(std::string(BREWSTER_SOURCE_DIR) + "/assets/scenes/" + name));
+    return std::make_shared<const Scene>(read_scene(BREWSTER_SOURCE_DIR "/assets/scenes/" + name));
 }
 
 }  // namespace brewster::rooms

@@ -45,8 +45,9 @@ class PendingImprints {
             for (unsigned left = batch.mask; left != 0; left &= left - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(left));
                 const float* const numbers = batch.numbers[lane][0].x.data();
-                add_imprint<D>(numbers + D, numbers, batch.places[lane], bands, tally.estimate(batch.leaves[lane]),
-                               tally.test(batch.leaves[lane]));
+                const auto rows_of_leaf = tally.touch(batch.leaves[lane]);
+                add_imprint<D>(numbers + D, numbers, batch.places[lane], bands, rows_of_leaf.estimate,
+                               rows_of_leaf.test);
             }
         }
         count_ = 0;
