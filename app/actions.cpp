@@ -95,9 +95,10 @@ void Viewer::press(const InputEvent& event) {
         if (held_fly_keys_.find(event.key) == std::string::npos) held_fly_keys_ += event.key;
         return;
     }
-    if (event.key == "Tab" && overlay_.wants_tab()) return;
+    // Widgets would take it, too, where a panel was clicked.
+    if (event.key == "Tab") overlay_.release_keyboard();
     const KeyBinding* row = binding_of(chord_of(event));
-    if (row) act(row->action, row->argument);
+    if (row && (!event.repeat || repeats(row->action))) act(row->action, row->argument);
 }
 
 void Viewer::go_to(const Camera& camera) {
@@ -135,7 +136,7 @@ void Viewer::go_to_words(const std::string& text) {
         Rendition& rendition = view_.rendition;
         if (view.exposure) {
             rendition.exposure = static_cast<float>(*view.exposure);
-            exposure_settled_ = true;
+            exposure_settled_ = exposure_by_hand_ = true;
         }
         if (view.map) rendition.map = *view.map;
         if (view.palette) rendition.palette = *view.palette;
@@ -193,6 +194,10 @@ void Viewer::close_topmost() {
         preferences_.first_run = false;
         return;
     }
+    if (taken_) {
+        taken_.reset();
+        return notice("the picture was not saved");
+    }
     if (region_) return region_.reset();
     shown_.material = shown_.lamp = -1;
 }
@@ -202,9 +207,11 @@ void Viewer::act(Action action, int argument) {
     must_present_ = true;
     switch (action) {
         case Action::polarization:
+            if (view_.split) return notice("the split shows polarization on and off; V ends it");
             rendition.polarization = !rendition.polarization;
             break;
         case Action::compare:
+            if (view_.split) return notice("the split shows polarization on and off; V ends it");
             comparing_ = true;
             break;
         case Action::split:
@@ -228,7 +235,7 @@ void Viewer::act(Action action, int argument) {
             break;
         case Action::exposure:
             rendition.exposure += static_cast<float>(argument) / 3;
-            exposure_settled_ = true;
+            exposure_settled_ = exposure_by_hand_ = true;
             break;
         case Action::fit_exposure:
             if (canvas_.picture().bins()) rendition.exposure = canvas_.picture().exposure_of(scene_->cameras.front());
@@ -251,7 +258,10 @@ void Viewer::act(Action action, int argument) {
             if (!kept)
                 return notice("no view was kept as " + std::to_string(argument) + "; Ctrl+" + std::to_string(argument) +
                               " keeps one");
+            const float exposure = rendition.exposure;
             view_ = *kept;
+            // Of the scene, and perhaps not known well when the view was kept.
+            if (!exposure_by_hand_) rendition.exposure = exposure;
             navigation_.release();
             break;
         }
@@ -286,6 +296,9 @@ void Viewer::act(Action action, int argument) {
             break;
         case Action::panels:
             preferences_.panels = !preferences_.panels;
+            break;
+        case Action::panel_field:
+            preferences_.panels = shown_.wants_field = true;
             break;
         case Action::open:
             shown_.files = true;

@@ -23,15 +23,15 @@ Rendition shown_world(const Sight& view, bool other_world) {
 }  // namespace
 
 void show_sight(const ScreenPass& screen_pass, const Screen& screen, const LightTextures& light, const Sight& view,
-                bool other_world) {
+                bool other_world, bool over) {
     if (view.split && view.rendition.map != Map::bins) {
         screen.clip(0, view.split_at);
-        screen_pass.show(screen, light, of_world(view.rendition, true));
+        screen_pass.show(screen, light, of_world(view.rendition, true), over);
         screen.clip(view.split_at, 1);
-        screen_pass.show(screen, light, of_world(view.rendition, false));
+        screen_pass.show(screen, light, of_world(view.rendition, false), over);
         screen.unclip();
     } else {
-        screen_pass.show(screen, light, shown_world(view, other_world));
+        screen_pass.show(screen, light, shown_world(view, other_world), over);
     }
 }
 
@@ -51,17 +51,21 @@ void Canvas::open(std::shared_ptr<const Scene> scene) {
     show_bins();
 }
 
-void Canvas::show_gathered(std::shared_ptr<const StokesPicture> picture, std::uint64_t photons) {
-    arriving_ = std::move(picture);
-    arriving_photons_ = photons;
-    gathered_light_.begin();
+void Canvas::show_gathered(const std::vector<GatheredTile>& tiles, glm::ivec2 size) {
+    if (!gathered_) gathered_.emplace(size);
+    for (const GatheredTile& tile : tiles) {
+        gathered_->count(tile);
+        gathered_light_.put(tile.part.picture, tile.part.left, tile.part.top);
+    }
 }
 
-bool Canvas::upload_gathered(std::size_t bytes) {
-    if (!arriving_ || !gathered_light_.advance(*arriving_, bytes)) return false;
-    gathered_ = std::exchange(arriving_, nullptr);
-    gathered_photons_ = arriving_photons_;
-    return true;
+void Canvas::show_bins() {
+    gathered_.reset();
+    gathered_light_.clear();
+}
+
+std::uint64_t Canvas::photons_shown() const {
+    return settled() ? gathered_->photons() : picture_->bins() ? picture_->bins()->photons : 0;
 }
 
 Rendition Canvas::needed(const Sight& view, bool other_world) {
@@ -73,9 +77,9 @@ Rendition Canvas::needed(const Sight& view, bool other_world) {
 void Canvas::present(const Screen& screen, const Sight& view, bool other_world, const Caption& caption) {
     // Cells are not gathered.
     const bool of_rays = gathered_ && view.rendition.map != Map::bins;
-    const LightTextures light = of_rays ? gathered_light_.textures() : picture_->light();
-    show_sight(screen_pass_, screen, light, view, other_world);
-    const int text_size = legend_text_size(screen, caption.text_scale);
+    if (!of_rays || !settled()) show_sight(screen_pass_, screen, picture_->light(), view, other_world);
+    if (of_rays) show_sight(screen_pass_, screen, gathered_light_.textures(), view, other_world, !settled());
+    const int text_size = legend_text_size(screen.height(), caption.text_scale, caption.content_scale);
     if (caption.dimmed)
         text_.add_rectangle({0, 0}, {static_cast<float>(screen.width()), static_cast<float>(screen.height())}, veil);
     if (!caption.status.empty())
@@ -83,16 +87,16 @@ void Canvas::present(const Screen& screen, const Sight& view, bool other_world, 
     text_.draw(screen);
     if (!caption.legend || !picture_->bins()) return;
     draw_legend(text_, screen,
-                {shown_world(view, other_world), caption.scene, caption.camera,
-                 of_rays ? gathered_photons_ : picture_->bins()->photons, caption.text_scale});
+                {shown_world(view, other_world), caption.scene, caption.camera, photons_shown(), caption.text_scale,
+                 caption.content_scale});
 }
 
 std::optional<SeenLight> Canvas::look_at(glm::ivec2 low, glm::ivec2 high, glm::ivec2 size, bool polarization) const {
     low = glm::max(low, glm::ivec2(0));
     high = glm::min(high, size);
     if (high.x <= low.x || high.y <= low.y) return {};
-    if (gathered_ && gathered_->width == size.x && gathered_->height == size.y)
-        return seen_light(*gathered_, low, high, polarization);
+    if (gathered_ && gathered_->size() == size && gathered_->covers(low, high))
+        return seen_light(read_light(gathered_light_.textures(), size.y, low, high), {0, 0}, high - low, polarization);
     Rendition world;
     world.polarization = polarization;
     if (picture_->draws(world) == 0) return {};

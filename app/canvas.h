@@ -4,15 +4,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/inspection.h"
+#include "app/settling_picture.h"
 #include "app/state.h"
 #include "display/gathered_light.h"
 #include "display/picture.h"
 #include "display/screen.h"
 #include "display/screen_pass.h"
 #include "display/text.h"
-#include "image/stokes_picture.h"
 
 namespace brewster {
 
@@ -22,12 +23,12 @@ struct Caption {
     std::string status;  ///< a line at the top; empty: none
     bool legend = true;
     bool dimmed = false;  ///< what is shown is of a scene that is no longer
-    float text_scale = 1;
+    float text_scale = 1, content_scale = 1;
 };
 
-/// The light in one world, or in both side by side, on the screen.
+/// The light in one world, or in both side by side, on the screen. `over`: what is there stays where there is no light.
 void show_sight(const ScreenPass& screen_pass, const Screen& screen, const LightTextures& light, const Sight& view,
-                bool other_world);
+                bool other_world, bool over = false);
 
 /// The picture in the window: light from the bins, or from rays of the eye where they have been followed, and how it is
 /// shown. Draws, but decides nothing.
@@ -42,14 +43,17 @@ class Canvas {
     Picture& picture() { return *picture_; }
     const Picture& picture() const { return *picture_; }
 
-    /// This, which ends in bins of so many photons, is shown as soon as it is uploaded, until the bins are to be shown
+    /// These tiles of a picture of that size are shown in the bins' place from now on, until the bins are to be shown
     /// again.
-    void show_gathered(std::shared_ptr<const StokesPicture> picture, std::uint64_t photons);
-    void show_bins() { gathered_ = arriving_ = nullptr; }
-    bool arriving() const { return arriving_ != nullptr; }
-    /// Uploads at most so many bytes of it. True when it is shown from now on.
-    bool upload_gathered(std::size_t bytes);
-    const StokesPicture* gathered() const { return gathered_.get(); }
+    void show_gathered(const std::vector<GatheredTile>& tiles, glm::ivec2 size);
+    void show_bins();
+    /// A step towards room for such a picture, which takes too long for one frame; true once it is there.
+    bool make_room(glm::ivec2 size) { return gathered_ || gathered_light_.make_room(size.x, size.y); }
+    /// What is shown over the bins, or null.
+    const SettlingPicture* gathered() const { return gathered_ ? &*gathered_ : nullptr; }
+    /// Nothing of the bins is seen any more.
+    bool settled() const { return gathered_ && gathered_->whole(); }
+    std::uint64_t photons_shown() const;  ///< of the bins that what is shown ends in
 
     /// What must have been drawn to show the view: the world that is wanted, or both where they stand side by side.
     static Rendition needed(const Sight& view, bool other_world);
@@ -62,8 +66,7 @@ class Canvas {
   private:
     std::shared_ptr<const Scene> scene_;
     std::unique_ptr<Picture> picture_;
-    std::shared_ptr<const StokesPicture> gathered_, arriving_;
-    std::uint64_t gathered_photons_ = 0, arriving_photons_ = 0;
+    std::optional<SettlingPicture> gathered_;
     GatheredLight gathered_light_;
     ScreenPass screen_pass_;
     Text text_;

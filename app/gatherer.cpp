@@ -19,7 +19,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t first_draws_of_smooth = 16, first_draws_of_sharp = 4;
 // Shares are rounded, so that the mean is not exactly what was asked for.
 constexpr double settled_draws = 0.9 * Gatherer::full_draws, last_draws = 0.9 * Gatherer::most_draws;
-constexpr int shares_of_leisure = 12;  // one for the eye, the others for the photons
+constexpr std::uint64_t far_better = 4;  // times as many photons
+constexpr int shares_of_leisure = 12;    // one for the eye, the others for the photons
 
 bool has_gloss_or_glass(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
@@ -56,13 +57,14 @@ void Gatherer::want(const std::shared_ptr<const Scene>& scene, const std::shared
     const bool same = presented_ && presented_->scene == scene && same_pose(presented_->camera, camera) &&
                       presented_->width == width && presented_->height == height &&
                       presented_->bins->photons <= bins->photons;
-    presented_ = Wish{scene, bins, camera, width, height};
+    if (!same) ++wishes_;
+    presented_ = Wish{scene, bins, camera, width, height, wishes_};
     const std::lock_guard lock(mutex_);
     newest_ = bins;
+    newest_photons_ = bins->photons;
     photons_fly_ = photons_fly;
     if (!same) {
         wish_ = presented_;
-        ready_ = {};
         stop_ = true;
     }
     work_to_do_.notify_all();
@@ -71,17 +73,37 @@ void Gatherer::want(const std::shared_ptr<const Scene>& scene, const std::shared
 void Gatherer::stop() {
     if (!presented_) return;
     presented_.reset();
-    std::optional<GatheredPicture> unwanted;
+    has_more_ = false;
     const std::lock_guard lock(mutex_);
     wish_.reset();
-    ready_.swap(unwanted);
     stop_ = true;
     work_to_do_.notify_all();
 }
 
-std::optional<GatheredPicture> Gatherer::take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(ready_, {});
+std::vector<GatheredTile> Gatherer::take(std::size_t most) {
+    std::vector<GatheredTile> taken;
+    const std::unique_lock lock(tiles_mutex_, std::try_to_lock);
+    if (!lock || !presented_ || tiles_wish_ != presented_->number) return taken;
+    while (!tiles_.empty() && taken.size() < most) taken.push_back(std::move(tiles_.extract(tiles_.begin()).mapped()));
+    has_more_ = !tiles_.empty();
+    return taken;
+}
+
+// Threads that draw come here. `first`: over the bins, where a person sees the picture change.
+void Gatherer::offer(const Wish& wish, int tile, std::uint64_t photons, bool first) {
+    constexpr Clock::duration between_wakes = std::chrono::milliseconds(250);
+    GatheredTile offered{eye_->gather.tile(tile), photons};
+    bool wake = false;
+    {
+        const std::lock_guard lock(tiles_mutex_);
+        if (tiles_wish_ != wish.number) tiles_.clear();
+        tiles_wish_ = wish.number;
+        tiles_.insert_or_assign(tile, std::move(offered));
+        wake = first && Clock::now() - last_wake_ >= between_wakes;
+        if (wake) last_wake_ = Clock::now();
+    }
+    // Not before: the window's thread would wait for this one, which it has just pushed aside, to let go.
+    if (wake) Window::wake();
 }
 
 void Gatherer::work(const std::stop_token& quit) {
@@ -119,7 +141,6 @@ void Gatherer::gather(const Wish& wish) {
     gather.show(wish.bins);
     gather.look(wish.camera, wish.width, wish.height);
     const unsigned threads = thread_count();
-    // A picture of newer bins has to become as complete as the one that is shown.
     const double least = has_gloss_or_glass(*wish.scene) ? first_draws_of_sharp : first_draws_of_smooth;
     std::shared_ptr<const Snapshot> bins = wish.bins;
     std::uint64_t photons = bins->photons;
@@ -127,32 +148,36 @@ void Gatherer::gather(const Wish& wish) {
     while (true) {
         const double before = gather.draws();
         if (before == 0) photons = bins->photons;
-        std::optional<GatheredPicture> made;
         const auto enough = [&] { return before >= (photons_fly_ ? last_draws : settled_draws); };
-        const bool known = shown == 0 && before >= least;  // from an earlier wish
-        bool drawn = false;
-        if (!known && !enough()) {
-            const std::uint32_t draws = std::max(1u, 2 * static_cast<std::uint32_t>(std::lround(before)));
+        bool better = false;
+        if (shown == 0 && before >= least) {  // from an earlier wish
+            for (int tile = 0; tile < gather.tiles() && !stop_; ++tile) offer(wish, tile, photons, true);
+            better = true;
+        } else if (!enough()) {
             at_leisure_ = photons_fly_ && std::max(shown, before) >= settled_draws;
-            drawn = gather.draw(draws, threads, [this] { return asked_to_stop(); });
+            // Tiles have to become as complete as what is shown: at once, or, where there is time, with the newest bins.
+            const auto complete =
+                static_cast<std::uint32_t>(std::ceil(std::max(least, std::min(shown, settled_draws))));
+            const auto draws =
+                std::max(at_leisure_ ? 1u : complete, 2 * static_cast<std::uint32_t>(std::lround(before)));
+            const bool as_good = draws >= complete;
+            const auto offer_tile = [&](int tile) { offer(wish, tile, photons, shown == 0); };
+            const bool first = before == 0 && !at_leisure_;
+            const auto stop = [&] { return asked_to_stop() || (first && newest_photons_ >= far_better * photons); };
+            const bool drawn = gather.draw(draws, threads, stop, as_good ? TileDrawn(offer_tile) : TileDrawn());
+            better = drawn && as_good;
         }
-        if (known || (drawn && gather.draws() >= std::max(least, std::min(shown, settled_draws)))) {
-            shown = gather.draws();
-            made = GatheredPicture{std::make_shared<const StokesPicture>(gather.picture()), photons};
-        }
-        const bool better = made.has_value();
+        if (better) shown = gather.draws();
         std::shared_ptr<const Snapshot> newer;
         {
             std::unique_lock lock(mutex_);
             if (!better) work_to_do_.wait(lock, [&] { return stop_ || !enough() || newest_->photons / 2 > photons; });
             if (stop_) return;
-            if (better) ready_.swap(made);
             newer = newest_;
         }
-        // Not before: the window's thread would wait for this one, which it has just pushed aside, to let go.
         if (better) Window::wake();
         // A picture that is well begun is finished: where photons double sooner than it does, none ever would be.
-        const bool begun = gather.draws() >= (at_leisure_ ? 1 : Gather::pilot_draws);
+        const bool begun = gather.draws() >= (at_leisure_ ? 1 : Gather::pilot_draws + 1);
         if (begun && gather.draws() < settled_draws && newer->photons / 2 > photons) continue;
         bins = std::move(newer);
         gather.show(bins);

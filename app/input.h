@@ -13,6 +13,7 @@ struct InputEvent {
     std::string key;  ///< as the key table writes it: "P", ",", "F1", "Home", "Keypad 1"; letters by the layout
     Button button = Button::left;
     bool shift = false, control = false, alt = false;
+    bool repeat = false;    ///< a press that the keyboard says again, since the key is held
     glm::vec2 place{0.0f};  ///< of the pointer
     float notches = 0;      ///< of the wheel, forward positive
 };

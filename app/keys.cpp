@@ -16,8 +16,9 @@ constexpr std::array table{
     KeyBinding{Action::analyzer, 0, "A", "analyzer in front of the camera", polarization, Effect::redraw},
     KeyBinding{Action::turn_analyzer, 1, ",", "turn it 1 degree counter-clockwise", polarization, Effect::redraw},
     KeyBinding{Action::turn_analyzer, -1, ".", "turn it 1 degree clockwise", polarization, Effect::redraw},
-    KeyBinding{Action::turn_analyzer, 10, "Shift+,", "turn it 10 degrees", polarization, Effect::redraw},
-    KeyBinding{Action::turn_analyzer, -10, "Shift+.", "", polarization, Effect::redraw},
+    KeyBinding{Action::turn_analyzer, 10, "Shift+,", "turn it 10 degrees counter-clockwise", polarization,
+               Effect::redraw},
+    KeyBinding{Action::turn_analyzer, -10, "Shift+.", "turn it 10 degrees clockwise", polarization, Effect::redraw},
     KeyBinding{Action::map, 0, "1", "radiance", maps, Effect::redraw},
     KeyBinding{Action::map, 1, "2", "S1", maps, Effect::redraw},
     KeyBinding{Action::map, 2, "3", "S2", maps, Effect::redraw},
@@ -27,8 +28,8 @@ constexpr std::array table{
     KeyBinding{Action::map, 6, "7", "angle of linear polarization", maps, Effect::redraw},
     KeyBinding{Action::map, 7, "8", "degree of circular polarization", maps, Effect::redraw},
     KeyBinding{Action::map, 8, "9", "type of polarization", maps, Effect::redraw},
-    KeyBinding{Action::map, 10, "0", "standard error", maps, Effect::redraw},
-    KeyBinding{Action::map, 11, "B", "cells of the bins", maps, Effect::redraw},
+    KeyBinding{Action::map, 10, "0", "relative standard error", maps, Effect::redraw},
+    KeyBinding{Action::map, 11, "B", "bins that hold the light", maps, Effect::redraw},
     KeyBinding{Action::exposure, 1, "E", "brighter by a third of a stop", look, Effect::redraw},
     KeyBinding{Action::exposure, -1, "Shift+E", "darker", look, Effect::redraw},
     KeyBinding{Action::fit_exposure, 0, "=", "exposure that fits the scene", look, Effect::redraw},
@@ -66,7 +67,9 @@ constexpr std::array table{
     KeyBinding{Action::pick_material, 0, "M", "material under the pointer", trace, Effect::window},
     KeyBinding{Action::undo, 0, "Ctrl+Z", "undo a change of the scene", trace, Effect::retrace},
     KeyBinding{Action::redo, 0, "Ctrl+Y", "do it again", trace, Effect::retrace},
-    KeyBinding{Action::panels, 0, "Tab", "panels", window, Effect::window},
+    KeyBinding{Action::panels, 0, "Tab", "panels, on and off", window, Effect::window},
+    KeyBinding{Action::panel_field, 0, "Ctrl+Tab", "type into the panels; Tab goes on, Escape ends it", window,
+               Effect::window},
     KeyBinding{Action::open, 0, "O", "open a file", window, Effect::window},
     KeyBinding{Action::copy_view, 0, "Ctrl+C", "copy the view as text", window, Effect::window},
     KeyBinding{Action::paste_view, 0, "Ctrl+V", "go to the view in the clipboard", window, Effect::redraw},
@@ -97,6 +100,10 @@ std::span<const KeyBinding> key_table() {
 
 std::span<const MouseGesture> mouse_gestures() {
     return gestures;
+}
+
+bool repeats(Action action) {
+    return action == Action::turn_analyzer || action == Action::exposure;
 }
 
 std::string chord_of(const InputEvent& event) {

@@ -30,6 +30,7 @@ enum class Action {
     inspector,
     pick_material,
     panels,
+    panel_field,
     open,
     undo,
     redo,
@@ -56,6 +57,9 @@ struct KeyBinding {
 
 /// The one table that input, help and tests are made from.
 std::span<const KeyBinding> key_table();
+
+/// It goes on while its key is held. What is switched is switched once, however long.
+bool repeats(Action action);
 
 /// The chord that a key event spells.
 std::string chord_of(const InputEvent& event);

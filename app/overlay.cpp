@@ -34,6 +34,7 @@ void set_colours(bool light) {
         ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style.Colors[ImGuiCol_WindowBg].w = 0.94f;
+    style.Colors[ImGuiCol_TextDisabled] = light ? ImVec4(0.36f, 0.36f, 0.36f, 1) : ImVec4(0.64f, 0.64f, 0.64f, 1);
     // Blue-orange, like the maps: what is chosen is blue, what is held is orange.
     const ImVec4 blue(0.20f, 0.45f, 0.75f, 1.0f), pale(0.20f, 0.45f, 0.75f, 0.35f), orange(0.90f, 0.50f, 0.15f, 1.0f);
     style.Colors[ImGuiCol_CheckMark] = light ? blue : ImVec4(0.45f, 0.70f, 1, 1);
@@ -150,9 +151,6 @@ bool Overlay::wants_mouse() const {
 }
 bool Overlay::wants_text() const {
     return ImGui::GetIO().WantTextInput;
-}
-bool Overlay::wants_tab() const {
-    return ImGui::IsWindowFocused(ImGuiFocusedFlags_AnyWindow);
 }
 bool Overlay::is_being_used() const {
     return ImGui::IsAnyItemActive();

@@ -27,7 +27,6 @@ class Overlay {
 
     bool wants_mouse() const;    ///< the pointer is over a widget, or a widget holds it
     bool wants_text() const;     ///< a text field is being written in
-    bool wants_tab() const;      ///< a panel has the keyboard: Tab goes through its widgets
     bool is_being_used() const;  ///< a widget is held
     void release_keyboard();     ///< the picture was clicked
 

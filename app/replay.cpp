@@ -76,9 +76,13 @@ int whole(const json& value, int least, int most) {
         501, value.dump() + " is no number from " + std::to_string(least) + " to " + std::to_string(most), &value);
 }
 
-bool holds(const json& wanted, const json& found) {
+bool holds(const json& wanted, const json& found, const json& remembered) {
     if (wanted.is_object() && !found.is_object()) {
         for (const auto& [sign, bound] : wanted.items()) {
+            if (sign == "remembered") {
+                if (bound != (found == remembered)) return false;
+                continue;
+            }
             if (sign == "not") {
                 if (bound == found) return false;
                 continue;
@@ -93,11 +97,12 @@ bool holds(const json& wanted, const json& found) {
 }
 
 /// The fields of `wanted` that are not so, in words; empty when all are.
-std::string complaint(const json& wanted, const json& state) {
+std::string complaint(const json& wanted, const json& state, const json& remembered) {
     std::string text;
     for (const auto& [name, value] : wanted.items()) {
         const json found = state.value(name, json());
-        if (!holds(value, found)) text += name + " is " + found.dump() + ", not " + value.dump() + "; ";
+        if (!holds(value, found, remembered.value(name, json())))
+            text += name + " is " + found.dump() + ", not " + value.dump() + "; ";
     }
     return text;
 }
@@ -116,7 +121,7 @@ struct Replay::Impl {
     glm::vec2 pointer{0.0f};
 
     // Of the step that runs.
-    json state_before;
+    json remembered = json::object();
     std::uint64_t frames_before = 0, photons_before = 0;
     double processor_before = 0, measured_from = 0;
     std::uint64_t measured_frames = 0;
@@ -259,6 +264,7 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
         event.shift = from.value("shift", false);
         event.control = from.value("control", false);
         event.alt = from.value("alt", false);
+        event.repeat = from.value("repeat", false);
         event.notches = from.value("notches", 0.0f);
         pointer = place(from.at("at"));
         return script(stage, event, picture), true;
@@ -290,12 +296,16 @@ bool Replay::Impl::do_step(Stage& stage, const json& step) {
         if (moved++ == 0) stage.save_solution(step["save_solution"]);
         return !stage.state()["saving"].get<bool>();
     }
+    if (step.contains("remember")) {
+        for (const json& name : step["remember"]) remembered[name] = state.at(name);
+        return true;
+    }
     if (step.contains("wait")) return elapsed >= step["wait"].get<double>();
     if (step.contains("expect") || step.contains("until")) {
         const bool now = step.contains("expect");
         const bool measured = step.contains("measure");
         if (measured && moved++ == 0) start_measure(state);
-        const std::string words = complaint(step[now ? "expect" : "until"], state);
+        const std::string words = complaint(step[now ? "expect" : "until"], state, remembered);
         if (measured && words.empty()) end_measure(step["measure"], state);
         if (words.empty()) return true;
         if (!now && elapsed < step.value("seconds", 10.0)) return false;
@@ -412,6 +422,7 @@ std::string step_of(const InputEvent& event, double seconds, glm::vec2 picture_s
     if (event.shift) from["shift"] = true;
     if (event.control) from["control"] = true;
     if (event.alt) from["alt"] = true;
+    if (event.repeat) from["repeat"] = true;
     if (event.notches != 0) from["notches"] = event.notches;
     return json({{"event", from}, {"after", seconds}}).dump();
 }

@@ -39,6 +39,7 @@ struct Stage {
 ///   {"event": {...}}                                     as --record writes it
 ///   {"wait": seconds}  {"until": {"stale": false}, "seconds": 10}   compared as in expect
 ///   {"expect": {"map": "dolp", "photons": {">": 1e6}, "complaint": {"not": ""}}}   a failure if it is not so
+///   {"remember": ["eye", "exposure"]}                    for {"expect": {"eye": {"remembered": true}}}
 ///   {"measure": "name", "seconds": 3}                    frames, photons, processor time meanwhile; "until" can, too
 /// Places are shares of the picture, from its upper left.
 class Replay {

@@ -3,10 +3,16 @@
 #include <exception>
 #include <filesystem>
 
+#include "app/clock.h"
 #include "app/view_text.h"
 #include "app/viewer.h"
 
 namespace brewster {
+namespace {
+
+constexpr double seconds_between_shares = 0.25;
+
+}  // namespace
 
 std::string Viewer::name_of(const Camera& camera) const {
     const bool moved = std::any_of(scene_->cameras.begin(), scene_->cameras.end(), [&](const Camera& known) {
@@ -44,7 +50,7 @@ void Viewer::take_picture(const std::string& path, bool legend) {
     if (taken_) return notice("still saving " + taken_->path());
     const glm::ivec2 size = picture_size();
     const std::uint64_t seed = session_.engine()->settings().seed;
-    notice("saving " + path);
+    shown_.notice.clear();
     // Rays at rest would only be in its way.
     gatherer_.stop();
     // What the copied words say: a moved camera loses its last bits on the way through text.
@@ -55,10 +61,19 @@ void Viewer::take_picture(const std::string& path, bool legend) {
         std::make_unique<TakenPicture>(TakenPicture::Order{path, scene_, bins, view, size.x, size.y, seed, legend});
 }
 
+std::string Viewer::taking_words() const {
+    return "saving " + taken_->path() + ": " + std::to_string(static_cast<int>(100 * taken_->share())) +
+           " % of its samples; Esc ends it";
+}
+
 void Viewer::advance_taken_picture() {
     if (!taken_) return;
     try {
-        if (!taken_->advance()) return;
+        if (!taken_->advance()) {
+            if (seconds_now() - last_present_ >= seconds_between_shares && taking_words() != said_of_taking_)
+                must_present_ = true;
+            return;
+        }
         notice("saved " + std::filesystem::absolute(taken_->path()).string());
     } catch (const std::exception& error) {
         shown_.complaint = error.what();

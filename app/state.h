@@ -54,8 +54,9 @@ struct Shown {
     int material = -1;  ///< chosen in the list; -1: none
     int lamp = -1;
     bool scroll_to_material = false;
-    std::string complaint;  ///< one sentence, until it is closed
-    std::string notice;     ///< one line that goes by itself
+    bool wants_field = false;  ///< the keyboard goes to the panels' first field
+    std::string complaint;     ///< one sentence, until it is closed
+    std::string notice;        ///< one line that goes by itself
     double notice_until = 0;
 };
 

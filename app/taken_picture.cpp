@@ -37,8 +37,22 @@ StokesPicture TakenPicture::gather() {
     Gather eye(std::make_shared<EyeScene>(*order_.scene), order_.seed);
     eye.show(order_.bins);
     eye.look(order_.view.camera, order_.width, order_.height);
-    eye.draw(draws, thread_count(), [this] { return stop_.load(std::memory_order_relaxed); });
+    const auto stop = [this] { return stop_.load(std::memory_order_relaxed); };
+    // In the two steps that it takes anyway, so that the share is known from the beginning.
+    std::atomic<int> drawn = 0;
+    constexpr double of_pilot = static_cast<double>(Gather::pilot_draws) / draws;
+    const auto count = [&](double before, double step) {
+        return [&, before, step](int) { share_ = before + step * ++drawn / eye.tiles(); };
+    };
+    eye.draw(Gather::pilot_draws, thread_count(), stop, count(0, of_pilot));
+    drawn = 0;
+    eye.draw(draws, thread_count(), stop, count(of_pilot, 1 - of_pilot));
     return eye.picture();
+}
+
+double TakenPicture::share() const {
+    if (of_rays()) return share_;
+    return static_cast<double>(picture_->draws(Canvas::needed(order_.view, false))) / draws;
 }
 
 bool TakenPicture::advance() {

@@ -40,6 +40,7 @@ class TakenPicture {
     /// written. Throws Error when it cannot be.
     bool advance();
     bool of_rays() const { return order_.view.of_rays(); }  ///< made by threads of its own
+    double share() const;                                   ///< of its samples that are made, 0 to 1
 
   private:
     StokesPicture gather();
@@ -49,6 +50,7 @@ class TakenPicture {
     Order order_;
     std::unique_ptr<Picture> picture_;  ///< of bins
     std::atomic<bool> stop_ = false;
+    std::atomic<double> share_ = 0;  ///< of rays
     std::future<StokesPicture> gathered_;
 };
 

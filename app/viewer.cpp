@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/clock.h"
+#include "app/newer_bins.h"
 #include "app/numbers.h"
 #include "app/picture_names.h"
 #include "app/preferences.h"
@@ -25,12 +26,10 @@ constexpr double seconds_between_presents = 0.25;  // at rest
 constexpr double seconds_between_numbers = 1;      // where nothing but the panels' numbers goes on
 constexpr double gather_after = 0.3;               // seconds without motion
 constexpr double gather_bins_after = 2;            // seconds after their first photons
+constexpr std::size_t tiles_in_a_frame =
+    Picture::frame_bytes / (Gather::tile_side * Gather::tile_side * GatheredLight::pixel_bytes);
 constexpr double seconds_between_file_looks = 1;
 constexpr double seconds_between_snapshots = 0.5;
-/// New bins begin a new mean. Until it has so many draws the old picture stays, so that edges do not flicker, and no
-/// newer bins are taken, so that it gets there however slow the drawing is.
-constexpr int draws_before_change = 8;
-constexpr std::uint64_t photons_of_far_better = 4;  // times as many
 /// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as
 /// long is left to them before the next.
 constexpr double slow_frame = 0.02;                         // seconds
@@ -90,7 +89,7 @@ Viewer::Viewer(Window& window, std::shared_ptr<const Scene> scene, const OpenOpt
         preferences_.first_run = false;
         written_preferences_ = preferences_;
     }
-    if (!options.scene.empty()) preferences_.folder = std::filesystem::absolute(options.scene).parent_path().string();
+    if (!options.scene.empty()) remember_file(options.scene);
     if (!options.record.empty()) record_.open(options.record);
 }
 
@@ -150,14 +149,19 @@ void Viewer::wait() {
 double Viewer::patience() const {
     if (hidden_) return seconds_between_presents;
     if (must_present_ || widget_frames_ > 0 || moving() || navigation_.flying() || !canvas_.picture().uploaded() ||
-        canvas_.arriving())
+        gatherer_.has_more() || making_room_)
         return 0;
     if (drawing_wanted()) return pause_;
     if (taken_) return taken_->of_rays() ? 0.05 : 0;
     if (session_.stale() || session_.saving() || file_.reading()) return 0.005;
     const bool tracing = session_.engine() && session_.engine()->progress().running;
-    if (!tracing) return seconds_between_file_looks;
-    return canvas_.gathered() ? seconds_between_numbers : seconds_between_presents;
+    if (canvas_.gathered() && improved_) return std::max(0.0, last_present_ + seconds_between() - seconds_now());
+    return tracing ? seconds_between() : seconds_between_file_looks;
+}
+
+// Presents at rest: what is settled gets better too slowly for more.
+double Viewer::seconds_between() const {
+    return canvas_.settled() ? seconds_between_numbers : seconds_between_presents;
 }
 
 bool Viewer::moving() const {
@@ -194,6 +198,13 @@ std::optional<glm::vec3> Viewer::seen(const Camera& camera, glm::vec2 place) con
     return seen_point(*rays_, camera.position, ray_direction(camera, size.x, size.y, place.x, place.y));
 }
 
+void Viewer::remember_file(const std::string& path) {
+    const std::filesystem::path absolute = std::filesystem::absolute(path);
+    std::erase(preferences_.recent_files, absolute.string());
+    preferences_.recent_files.insert(preferences_.recent_files.begin(), absolute.string());
+    preferences_.folder = absolute.parent_path().string();
+}
+
 void Viewer::take_file() {
     const double now = seconds_now();
     if (now - last_look_at_file_ > seconds_between_file_looks) {
@@ -214,17 +225,14 @@ void Viewer::take_file() {
     set_scene(outcome->scene, session_.generation(), false);
     shown_.files = false;
     if (saved) return notice(outcome->path + " was taken up where it was saved; Space traces on");
-    const std::string path = std::filesystem::absolute(outcome->path).string();
-    std::erase(preferences_.recent_files, path);
-    preferences_.recent_files.insert(preferences_.recent_files.begin(), path);
-    preferences_.folder = std::filesystem::path(path).parent_path().string();
+    remember_file(outcome->path);
     window_.set_title("Brewster: " + scene_->name);
     if (outcome->again) return notice("the file has changed and was read again");
     go_to(scene_->cameras.front());
     home_camera_ = view_.camera.name;
     shown_.material = shown_.lamp = -1;
     kept_views_ = {};
-    exposure_settled_ = false;
+    exposure_settled_ = exposure_by_hand_ = false;
 }
 
 void Viewer::set_scene(std::shared_ptr<const Scene> scene, std::uint64_t generation, bool same_surfaces) {
@@ -268,15 +276,14 @@ void Viewer::take_bins() {
     const Rendition wanted = Canvas::needed(view_, comparing_);
     const bool replaced = traced && traced->bins && traced->generation != sent_generation_;
     // What rays show does not wait for bins; they are taken up again with the first motion.
-    const bool idle = canvas_.gathered() && !replaced && !moving();
-    // Slow drawing must not keep the first bins on the screen while others far better are there.
-    const bool far_better = picture.bins() && traced && traced->bins && picture.draws(wanted) > 0 &&
-                            traced->bins->photons >= photons_of_far_better * picture.bins()->photons;
-    if (!picture.bins() || replaced || moving() ||
-        (!idle && (far_better || picture.draws(wanted) >= draws_before_change))) {
-        if (traced && traced->bins) {
+    const bool idle = canvas_.settled() && !replaced && !moving();
+    if (traced && traced->bins) {
+        const Newer newer = picture.bins()
+                                ? newer_bins(picture.bins()->photons, traced->bins->photons, picture.draws(wanted))
+                                : Newer::at_once;
+        if (replaced || moving() || (!idle && newer != Newer::wait)) {
             picture.show(traced->bins);
-            presents_at_once_ = far_better;
+            presents_at_once_ = newer == Newer::at_once;
             sent_generation_ = traced->generation;
         }
     }
@@ -300,7 +307,9 @@ Desk Viewer::desk() {
               .progress = {},
               .frame_ms = 1000 * frame_seconds_,
               .samples = static_cast<double>(canvas_.picture().draws(Canvas::needed(view_, comparing_))),
-              .gathered = false,
+              .gathered = 0,
+              .photons_shown = canvas_.photons_shown(),
+              .taking = taken_ ? std::optional(taken_->share()) : std::nullopt,
               .light = light_,
               .surface = surface_,
               .region = region_.has_value(),
@@ -317,9 +326,9 @@ Desk Viewer::desk() {
               .set_target_error = [this](std::optional<double> error) { session_.set_target_error(error); },
               .copy = [this](const std::string& text) { window_.set_clipboard(text); }};
     if (session_.engine()) desk.progress = session_.engine()->progress();
-    if (canvas_.gathered()) {
-        desk.gathered = true;
-        desk.samples = canvas_.gathered()->draws;
+    if (const SettlingPicture* gathered = canvas_.gathered()) {
+        desk.gathered = gathered->share();
+        desk.samples = gathered->samples();
     }
     return desk;
 }
@@ -327,6 +336,7 @@ Desk Viewer::desk() {
 void Viewer::make_widgets() {
     const glm::ivec2 size = window_.framebuffer_size();
     const glm::vec2 picture(picture_size());
+    const float exposure = view_.rendition.exposure;
     overlay_.begin();
     Desk made = desk();
     panel_column(made, size);
@@ -342,6 +352,7 @@ void Viewer::make_widgets() {
                                                 IM_COL32(240, 150, 50, 255), 0, 0, std::max(1.0f, made.scale));
     }
     overlay_.end();
+    if (view_.rendition.exposure != exposure) exposure_settled_ = exposure_by_hand_ = true;
     if (overlay_.is_being_used()) widget_frames_ = std::max(widget_frames_, 2);
     if (view_.rendition.analyzer.kind == Analyzer::Kind::linear) view_.rendition.analyzer.angle = view_.analyzer_angle;
     if (widget_frames_ > 0) {
@@ -375,14 +386,12 @@ void Viewer::look_around_pointer() {
 
 void Viewer::gather_at_rest() {
     const glm::ivec2 size = picture_size();
-    const bool fits = canvas_.gathered() && canvas_.gathered()->width == size.x && canvas_.gathered()->height == size.y;
-    if (!view_.of_rays() || (canvas_.gathered() && !fits)) {
-        if (canvas_.gathered()) must_present_ = true;
+    making_room_ = false;
+    const SettlingPicture* gathered = canvas_.gathered();
+    const bool fits = gathered && gathered->size() == size;
+    if (gathered && (!view_.of_rays() || !fits)) {
+        must_present_ = true;
         canvas_.show_bins();
-    }
-    if (canvas_.upload_gathered(Picture::frame_bytes)) {
-        improved_ = true;
-        draws_to_present_ = 1;
     }
     const bool still = seconds_now() - last_motion_ >= gather_after && !navigation_.dragging();
     // At first photons double faster than rays could follow.
@@ -392,8 +401,15 @@ void Viewer::gather_at_rest() {
     if (!view_.of_rays() || !still || !ripe || taken_ || !bins || bins_generation_ != session_.generation())
         return gatherer_.stop();
     gatherer_.want(scene_, bins, view_.camera, size.x, size.y, photons_fly);
-    if (std::optional<GatheredPicture> gathered = gatherer_.take())
-        canvas_.show_gathered(std::move(gathered->light), gathered->photons);
+    making_room_ = !canvas_.make_room(size);
+    if (making_room_) return;
+    const std::vector<GatheredTile> tiles = gatherer_.take(tiles_in_a_frame);
+    if (tiles.empty()) return;
+    const bool whole = canvas_.settled();
+    canvas_.show_gathered(tiles, size);
+    if (canvas_.settled() && !whole) must_present_ = true;
+    improved_ = true;
+    draws_to_present_ = 1;
 }
 
 void Viewer::draw() {
@@ -405,7 +421,7 @@ void Viewer::draw() {
     picture.look(view_.camera, (size.x + shrinking_ - 1) / shrinking_, (size.y + shrinking_ - 1) / shrinking_);
     if (!view_.of_rays() || !picture.bins())
         glimpse_.clear(picture);
-    else if (!canvas_.gathered())
+    else if (!canvas_.settled())
         glimpse_.show(picture, view_.camera, bins_generation_);
     const bool drawn = drawing_wanted();
     const Rendition needed = Canvas::needed(view_, comparing_);
@@ -422,9 +438,9 @@ void Viewer::draw() {
     const double since = begin - last_present_;
     const bool running = session_.engine() && session_.engine()->progress().running;
     const bool better = improved_ && (canvas_.gathered() || picture.draws(needed) >= draws_to_present_);
-    const bool due = since >= (better || !canvas_.gathered() ? seconds_between_presents : seconds_between_numbers);
+    const bool due = since >= seconds_between();
     // What was there stays until the first draw has all of its bands.
-    const bool whole_picture = canvas_.gathered() || picture.draws(needed) > 0 || !drawn;
+    const bool whole_picture = canvas_.settled() || picture.draws(needed) > 0 || !drawn;
     if (whole_picture && (must_present_ || in_motion || (due && (better || running)))) {
         present();
     } else if (drawn) {
@@ -439,18 +455,22 @@ void Viewer::draw() {
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(took, longest_nap)));
 }
 
-Caption Viewer::caption() const {
-    Caption caption{
-        scene_->name,           name_of(view_.camera), "", true, session_.overdue() && canvas_.picture().bins(),
-        preferences_.text_scale};
+Caption Viewer::caption() {
+    Caption caption{scene_->name,
+                    name_of(view_.camera),
+                    "",
+                    true,
+                    session_.overdue() && canvas_.picture().bins(),
+                    preferences_.text_scale,
+                    window_.content_scale()};
     if (caption.dimmed)
         caption.status = session_.paused() ? "paused: Space traces the change" : "the change is being traced";
     else if (!session_.trouble().empty())
         caption.status = session_.trouble();
-    else if (shown_.notice_until > seconds_now())
+    else if (!shown_.notice.empty() && shown_.notice_until > seconds_now())
         caption.status = shown_.notice;
     else if (taken_)
-        caption.status = "saving " + taken_->path();
+        caption.status = said_of_taking_ = taking_words();
     else if (session_.saving())
         caption.status = "saving " + solution_path_;
     else if (session_.paused())

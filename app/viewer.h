@@ -52,17 +52,19 @@ class Viewer {
 
     // viewer.cpp
     void take_file();
+    void remember_file(const std::string& path);
     void take_bins();
     void make_widgets();
     void look_around_pointer();
     void gather_at_rest();
     void draw();
-    Caption caption() const;
+    Caption caption();
     void present();
     void set_scene(std::shared_ptr<const Scene> scene, std::uint64_t generation, bool same_surfaces);
     void follow_session();
     void wait();
     double patience() const;
+    double seconds_between() const;
     bool moving() const;
     bool fresh() const;
     int shrinking() const;
@@ -77,6 +79,7 @@ class Viewer {
     std::string new_path(const std::string& kind) const;
     void take_picture(const std::string& path, bool legend);
     void advance_taken_picture();
+    std::string taking_words() const;  ///< how far it is
     void save_solution(const std::string& path);
     void take_saved_solution();
 
@@ -109,9 +112,12 @@ class Viewer {
     std::optional<SeenLight> light_;
     std::optional<SeenSurface> surface_;
     std::optional<std::array<glm::vec2, 2>> region_;  ///< corners in pixels
-    bool dragging_region_ = false, comparing_ = false, exposure_settled_ = false, quit_ = false;
+    bool dragging_region_ = false, comparing_ = false, quit_ = false;
+    bool exposure_settled_ = false;  ///< it does not follow the bins any more
+    bool exposure_by_hand_ = false;
     std::string held_fly_keys_;
     std::unique_ptr<TakenPicture> taken_;  ///< on its way into a file
+    std::string said_of_taking_;           ///< in the frame that is shown
     std::string solution_path_;            ///< the same of a solution
 
     double started_;
@@ -130,6 +136,7 @@ class Viewer {
     bool presents_at_once_ = false;  ///< the bins that were taken last
     int widget_frames_ = 2;          ///< frames that widgets still want, to answer what was done
     int shrinking_ = 1;              ///< of each side of what is drawn
+    bool making_room_ = false;       ///< for the eye's rays
     double bins_since_ = -1e9;       ///< when the first bins of the generation came
     double last_motion_ = -1e9, last_present_ = -1e9, last_look_at_file_ = 0, last_step_ = 0, last_press_ = -1e9;
     glm::vec2 last_press_place_{0.0f};

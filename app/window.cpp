@@ -80,6 +80,7 @@ struct Window::Callbacks {
     static void key(GLFWwindow* window, int key, int scan_code, int action, int modifiers) {
         InputEvent event;
         event.kind = action == GLFW_RELEASE ? InputEvent::Kind::key_release : InputEvent::Kind::key_press;
+        event.repeat = action == GLFW_REPEAT;
         event.key = name_of(key, scan_code);
         if (!event.key.empty()) note(window, event, modifiers);
     }

@@ -10,6 +10,7 @@ uniform sampler2D light_unpolarized;
 uniform sampler2D variance_s0, variance_linear, variance_s3;
 uniform sampler2D squares_s0;  // sum over the draws of the square of S0
 uniform bool has_squares;
+uniform bool over;  // another picture: it stays where there are no draws
 const int map = BREWSTER_MAP;
 uniform int palette;
 uniform float exposure;  // EV
@@ -38,6 +39,7 @@ vec3 sampled(sampler2D picture) {
 void main() {
     PixelLight light;
     vec4 s0 = texel(light_s0);
+    if (over && s0.a == 0.0) discard;
     float draws = max(s0.a, 1.0);  // 0 where there is no light
     light.s0 = s0.rgb / draws;
     light.s1 = light.s2 = light.s3 = light.unpolarized = vec3(0.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/panels/desk.h"
+#include "app/panels/labels.h"
 
 namespace brewster {
 namespace {
@@ -35,14 +36,17 @@ void panel_column(Desk& desk, glm::ivec2 window_size) {
     ImGui::Begin("panels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_AlwaysVerticalScrollbar);
     if (ImGui::Button("open (O)")) desk.act(Action::open, 0);
+    hint("a scene, or a saved solution");
     ImGui::SameLine();
     if (ImGui::Button("help (H)")) desk.act(Action::help, 0);
     ImGui::SameLine();
     if (ImGui::Button("save (F12)")) desk.act(Action::picture, 0);
+    hint("the picture, as PNG beside where the program was started; Ctrl+F12: without its legend; EXR: open (O)");
     ImGui::SameLine();
     if (ImGui::Button("hide (Tab)")) desk.act(Action::panels, 0);
+    if (desk.shown.wants_field) ImGui::SetNextItemOpen(true);
     section(desk, "Polarization", polarization_panel, true);
     section(desk, "View", view_panel, true);
     section(desk, "Materials and lamps", materials_panel, true);

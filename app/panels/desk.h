@@ -16,9 +16,11 @@ struct Desk {
     const Scene& scene;
     const Session& session;
     Progress progress;
-    double frame_ms = 0;    ///< of the last drawn frame
-    double samples = 0;     ///< the picture at rest is made of
-    bool gathered = false;  ///< of the eye's own rays
+    double frame_ms = 0;              ///< of the last drawn frame
+    double samples = 0;               ///< the picture at rest is made of
+    double gathered = 0;              ///< share of the picture that is made of the eye's own rays
+    std::uint64_t photons_shown = 0;  ///< whose bins the picture ends in
+    std::optional<double> taking;     ///< share of the samples of a picture for a file
     std::optional<SeenLight> light;
     std::optional<SeenSurface> surface;
     bool region = false;  ///< the light is a mean over a rectangle

@@ -22,9 +22,11 @@ void rows_of(std::string_view group) {
 
 void help_window(Desk& desk) {
     if (!desk.shown.help) return;
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    // The panels stay in sight, since it tells of them.
+    ImVec2 size = ImGui::GetIO().DisplaySize;
+    size.x -= static_cast<float>(column_width(desk.preferences.panels, desk.scale, static_cast<int>(size.x)));
     ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(860 * desk.scale, 0.95f * size.x), std::min(780 * desk.scale, 0.95f * size.y)},
+    ImGui::SetNextWindowSize({std::min(860 * desk.scale, 0.97f * size.x), std::min(780 * desk.scale, 0.95f * size.y)},
                              ImGuiCond_Appearing);
     if (ImGui::Begin("help", &desk.shown.help, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
         if (ImGui::BeginTable("keys and mouse", 2)) {
@@ -49,7 +51,9 @@ void help_window(Desk& desk) {
             ImGui::EndTable();
         }
         ImGui::TextWrapped(
-            "Sliders: Ctrl+click to type a number; Tab goes on while a panel has the keyboard. Angles are from the "
+            "Sliders: Ctrl+click to type a number. Tab goes to the next number while one is typed, and otherwise hides "
+            "the "
+            "panels. Angles are from the "
             "picture's horizontal, counter-clockwise as the camera looks; right circular light has S3 > 0.");
     }
     ImGui::End();

@@ -5,6 +5,7 @@
 
 #include "app/numbers.h"
 #include "app/panels/desk.h"
+#include "app/panels/labels.h"
 
 namespace brewster {
 namespace {
@@ -60,8 +61,13 @@ void intensity_curve(const SeenLight& light, double analyzer, ImVec2 size) {
 }
 
 void stokes_table(const SeenLight& light) {
-    if (!ImGui::BeginTable("stokes", 5, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame)) return;
-    for (const char* heading : {"cd/m\u00b2", "S0", "S1", "S2", "S3"}) ImGui::TableSetupColumn(heading);
+    const ImVec2 padding = ImGui::GetStyle().CellPadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.5f * padding.x, padding.y});
+    const bool open = ImGui::BeginTable("stokes", 5, ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingStretchSame);
+    ImGui::PopStyleVar();
+    if (!open) return;
+    ImGui::TableSetupColumn("cd/m\u00b2", ImGuiTableColumnFlags_WidthFixed);
+    for (const char* heading : {"S0", "S1", "S2", "S3"}) ImGui::TableSetupColumn(heading);
     ImGui::TableHeadersRow();
     constexpr std::array<const char*, 3> bands = {"red", "green", "blue"};
     for (std::size_t band = 0; band < 3; ++band) {
@@ -90,9 +96,9 @@ void surface_lines(const Desk& desk, const SeenSurface& surface) {
     if (const Engine* engine = desk.session.engine()) {
         if (const auto bins = engine->snapshot()) {
             const ChartBins& trees = bins->charts[surface.chart];
-            ImGui::Text("chart %u: %u + %u cells of direct + indirect light", surface.chart, trees.direct_leaves,
+            ImGui::Text("chart %u: %u + %u bins of direct + indirect light", surface.chart, trees.direct_leaves,
                         trees.indirect_leaves);
-            ImGui::Text("%.3g photons in all", static_cast<double>(bins->photons));
+            ImGui::Text("%s photons traced in all", with_magnitude(static_cast<double>(bins->photons)).c_str());
         }
     }
 }
@@ -101,23 +107,25 @@ void surface_lines(const Desk& desk, const SeenSurface& surface) {
 
 void inspector_panel(Desk& desk) {
     if (!desk.light) {
-        ImGui::TextDisabled("point at the picture; Ctrl+drag for a mean");
+        faint_text("point at the picture; Ctrl+drag for a mean");
         if (desk.surface) surface_lines(desk, *desk.surface);
         return;
     }
     const SeenLight& light = *desk.light;
     if (desk.region) ImGui::TextUnformatted("mean of the rectangle; Esc ends it");
+    if (desk.view.rendition.analyzer.kind != Analyzer::Kind::none)
+        faint_text("before the analyzer; the picture is behind it");
     stokes_table(light);
     const double floor = light.dolp_floor();
     ImGui::Text("%.4g cd/m\u00b2", light.luminance());
     ImGui::Text("DoLP %.1f \u00b1 %.1f %%   AoLP %.1f\u00b0   DoCP %+.1f %%", 100 * light.dolp(), 100 * floor,
                 light.aolp_degrees(), 100 * light.docp());
-    if (light.dolp() < 2 * floor) ImGui::TextDisabled("no more than its noise: it may be unpolarized");
+    if (light.dolp() < 2 * floor) faint_text("no more than its noise: it may be unpolarized");
     const float side = 6 * ImGui::GetTextLineHeight();
     ellipse(light, side);
     ImGui::SameLine();
     intensity_curve(light, desk.view.analyzer_angle, {std::max(40.0f, ImGui::GetContentRegionAvail().x), side});
-    ImGui::TextDisabled("ellipse; share an analyzer at \u221290\u00b0..90\u00b0 lets through");
+    faint_text("ellipse; share that an analyzer at \u221290\u00b0 .. 90\u00b0 lets through");
     if (desk.surface && !desk.region) surface_lines(desk, *desk.surface);
 }
 

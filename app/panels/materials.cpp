@@ -5,7 +5,9 @@
 
 #include "app/clock.h"
 #include "app/material_summary.h"
+#include "app/numbers.h"
 #include "app/panels/desk.h"
+#include "app/panels/labels.h"
 #include "app/scene_summary.h"
 #include "base/error.h"
 #include "optics/materials.h"
@@ -50,11 +52,13 @@ bool medium_widget(std::string& name) {
     if (!ImGui::BeginCombo("medium", name.empty() ? "by numbers" : name.c_str())) return false;
     for (const OpticalConstants& medium : named_materials) {
         const std::string candidate(medium.name);
-        if (ImGui::Selectable(candidate.c_str(), candidate == name)) {
+        const std::string words =
+            candidate + ", n " + significant(medium.n[1]) + (medium.k[1] > 0 ? ", k " + significant(medium.k[1]) : "");
+        if (ImGui::Selectable(words.c_str(), candidate == name)) {
             name = candidate;
             changed = true;
         }
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(medium.source).c_str());
+        hint(std::string(medium.source).c_str());
     }
     ImGui::EndCombo();
     return changed;
@@ -63,7 +67,7 @@ bool medium_widget(std::string& name) {
 /// One row of the table as a widget; the wish to change it, if there is one.
 template <class Owner>
 void property_widget(const Owner& owner, const Property<Owner>& row, bool& step, Wish<Owner>& wish) {
-    const std::string label = std::string(row.name) + (row.unit.empty() ? "" : ", " + std::string(row.unit));
+    const std::string label = setting_label(row.name, row.unit);
     PropertyValue value = row.get(owner);
     bool changed = false;
     ImGui::PushID(label.c_str());
@@ -107,10 +111,10 @@ void property_widget(const Owner& owner, const Property<Owner>& row, bool& step,
         case PropertyType::direction:
             break;  // elevation and azimuth say the same
     }
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s\n%s; Ctrl+click to type", std::string(row.text).c_str(),
-                          range_text(row.least, row.most, row.unit).c_str());
-    }
+    std::string words(row.text);
+    if (row.type != PropertyType::medium)
+        words += "\n" + with_unit_signs(range_text(row.least, row.most, row.unit)) + "; Ctrl+click to type";
+    hint(words.c_str());
     ImGui::PopID();
     if (changed) wish = {&row, value, step};
 }
@@ -152,7 +156,7 @@ ImVec4 chip(const Material& material) {
 void one_material(Desk& desk, std::uint32_t index) {
     const Material& material = desk.scene.materials[index];
     const auto [yes, why] = polarizes(material);
-    ImGui::TextWrapped("%s", described(desk.scene, material).c_str());
+    ImGui::TextWrapped("%s", with_unit_signs(described(desk.scene, material)).c_str());
     ImGui::TextWrapped("polarizes: %s, because %s", yes ? "yes" : "no", why.c_str());
     if (const auto angle = brewster_angle(material)) ImGui::Text("Brewster's angle %.2f\u00b0", *angle);
     property_rows<Material>(desk, material, material_properties(),
@@ -167,7 +171,7 @@ void materials_panel(Desk& desk) {
     Shown& shown = desk.shown;
     const auto count = static_cast<int>(desk.scene.materials.size());
     if (shown.material >= count) shown.material = -1;
-    ImGui::TextDisabled("click one, or M over the picture");
+    faint_text("click one, or M over the picture");
     const float line = ImGui::GetTextLineHeightWithSpacing();
     ImGui::BeginChild("materials", {0, line * static_cast<float>(std::clamp(count, 3, 7)) + 6}, true);
     for (int i = 0; i < count; ++i) {
@@ -180,10 +184,7 @@ void materials_panel(Desk& desk) {
             shown.material = i;
             shown.lamp = -1;
         }
-        if (shown.scroll_to_material && shown.material == i) {
-            ImGui::SetScrollHereY();
-            shown.scroll_to_material = false;
-        }
+        if (shown.scroll_to_material && shown.material == i) ImGui::SetScrollHereY();
         ImGui::PopID();
     }
     ImGui::EndChild();
@@ -200,7 +201,13 @@ void materials_panel(Desk& desk) {
     ImGui::SameLine();
     if (ImGui::Button("redo (Ctrl+Y)") && desk.session.can_redo()) desk.act(Action::redo, 0);
     ImGui::Separator();
-    if (shown.material >= 0) one_material(desk, static_cast<std::uint32_t>(shown.material));
+    if (shown.material >= 0) {
+        one_material(desk, static_cast<std::uint32_t>(shown.material));
+        // What a person wants to drag next is to be in sight.
+        const float below = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+        if (shown.scroll_to_material && ImGui::GetCursorScreenPos().y > below) ImGui::SetScrollHereY(1.0f);
+        shown.scroll_to_material = false;
+    }
     if (shown.lamp >= 0 && shown.lamp < static_cast<int>(desk.scene.lamps.size())) {
         const auto index = static_cast<std::uint32_t>(shown.lamp);
         property_rows<Lamp>(desk, desk.scene.lamps[index], lamp_properties(),

@@ -5,6 +5,7 @@
 
 #include "app/material_summary.h"
 #include "app/panels/desk.h"
+#include "app/panels/labels.h"
 #include "base/units.h"
 
 namespace brewster {
@@ -47,22 +48,30 @@ void polarization_panel(Desk& desk) {
             "Nothing in this scene polarizes light: no surface has an interface, none is a filter. "
             "Give a material an index n to see Brewster's angle.");
     }
-    ImGui::Checkbox("polarization (P)", &view.rendition.polarization);
+    bool polarization = view.rendition.polarization;
+    if (ImGui::Checkbox("polarization (P)", &polarization)) desk.act(Action::polarization, 0);
+    hint("off: the world where no surface tells polarizations apart; both are traced, so nothing is traced anew");
     ImGui::SameLine();
     ImGui::Checkbox("split (V)", &view.split);
+    hint("polarization on to the left, off to the right of a line that can be dragged");
     bool difference = view.rendition.map == Map::difference;
     if (ImGui::Checkbox("difference on \u2212 off (D)", &difference)) desk.act(Action::difference, 0);
+    hint("what polarization adds and takes, cd/m\u00b2");
     ImGui::SameLine();
     ImGui::TextDisabled("hold C: compare");
 
     ImGui::TextUnformatted("analyzer (A)");
+    hint("an ideal filter in front of the camera: linear, or for right or left circular light");
     analyzer_kind_choice(desk);
     auto angle = static_cast<float>(view.analyzer_angle);
     ImGui::SetNextItemWidth(-ImGui::CalcTextSize("angle (, .)").x - ImGui::GetStyle().ItemInnerSpacing.x);
+    if (desk.shown.wants_field) ImGui::SetKeyboardFocusHere();
+    desk.shown.wants_field = false;
     if (ImGui::SliderFloat("angle (, .)", &angle, -90, 90, "%.1f\u00b0")) {
         view.analyzer_angle = static_cast<double>(angle);
         view.rendition.analyzer.kind = Analyzer::Kind::linear;
     }
+    hint("of the axis that passes, from the picture's horizontal, counter-clockwise as the camera looks");
 }
 
 void analyzer_wheel(Desk& desk, glm::vec2 middle, float radius) {
@@ -125,11 +134,16 @@ void split_slider(Desk& desk, glm::vec2 picture_size) {
     draw->AddLine({x, 0}, {x, picture_size.y}, bright, std::max(1.0f, desk.scale));
     draw->AddCircleFilled({x, 0.5f * picture_size.y}, grip, orange);
     const float line = ImGui::GetTextLineHeight();
-    const ImVec2 on = ImGui::CalcTextSize("polarization on");
-    draw->AddRectFilled({x - on.x - 14, 2 * line - 3}, {x - 4, 3 * line + 3}, backing);
-    draw->AddText({x - on.x - 9, 2 * line}, bright, "polarization on");
-    draw->AddRectFilled({x + 4, 2 * line - 3}, {x + 34, 3 * line + 3}, backing);
-    draw->AddText({x + 9, 2 * line}, bright, "off");
+    const float away = 0.3f * line, inset = 0.3f * line;
+    const auto label = [&](const char* text, bool on_the_left) {
+        const ImVec2 size = ImGui::CalcTextSize(text);
+        const float left = on_the_left ? x - away - 2 * inset - size.x : x + away;
+        draw->AddRectFilled({left, 2 * line - 0.5f * inset}, {left + 2 * inset + size.x, 3 * line + 0.5f * inset},
+                            backing);
+        draw->AddText({left + inset, 2 * line}, bright, text);
+    };
+    label("polarization on", true);
+    label("off", false);
     ImGui::SetNextWindowPos({x - grip, 0.0f});
     ImGui::SetNextWindowSize({2 * grip, picture_size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});

@@ -49,7 +49,7 @@ std::vector<char32_t> code_points(std::string_view utf8) {
 }
 
 FontAtlas::FontAtlas(int pixels) : coverage_(std::size_t{side} * side) {
-    BREWSTER_CHECK(pixels >= 6 && pixels <= 48, std::to_string(pixels));
+    BREWSTER_CHECK(pixels >= 6 && pixels <= largest, std::to_string(pixels));
     std::vector<std::vector<stbtt_packedchar>> packed;
     std::vector<stbtt_pack_range> requests;
     for (const Range& range : ranges) {

@@ -21,9 +21,10 @@ struct Glyph {
 /// What is outside of these is shown as '?'.
 class FontAtlas {
   public:
-    static constexpr int side = 512;  ///< texels
+    static constexpr int side = 512;    ///< texels
+    static constexpr int largest = 48;  ///< pixels
 
-    /// `pixels`: height of a line from ascender to descender, 6 to 48.
+    /// `pixels`: height of a line from ascender to descender, 6 to `largest`.
     explicit FontAtlas(int pixels);
 
     const Glyph& glyph(char32_t code_point) const;

@@ -72,12 +72,14 @@ std::string analyzer_words(const Analyzer& analyzer) {
     return {};
 }
 
-int legend_text_size(const Screen& screen, float text_scale) {
-    return static_cast<int>(std::lround(text_scale * static_cast<float>(std::clamp(screen.height() / 45, 12, 32))));
+int legend_text_size(int screen_height, float text_scale, float content_scale) {
+    const float letters = std::clamp(static_cast<float>(screen_height) / (45 * content_scale), 12.0f, 32.0f);
+    const float pixels = text_scale * content_scale * std::floor(letters);
+    return std::min(static_cast<int>(std::lround(pixels)), FontAtlas::largest);
 }
 
 void draw_legend(Text& text, const Screen& screen, const Legend& legend) {
-    const int size = legend_text_size(screen, legend.text_scale);
+    const int size = legend_text_size(screen.height(), legend.text_scale, legend.content_scale);
     const float line = static_cast<float>(size), pitch = std::round(1.25f * line), margin = std::round(0.5f * line);
     const Rendition& rendition = legend.rendition;
     const LegendScale scale = legend_scale(rendition);

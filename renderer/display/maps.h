@@ -31,7 +31,7 @@ inline constexpr std::array map_descriptions = {
     MapDescription{Map::type, "type", "type, bright where polarized", Scale::type},
     MapDescription{Map::difference, "difference", "polarization on \u2212 off, cd/m\u00b2", Scale::signed_radiance},
     MapDescription{Map::error, "error", "relative standard error, %", Scale::relative_error},
-    MapDescription{Map::bins, "bins", "cells of the bins, each its colour", Scale::none},
+    MapDescription{Map::bins, "bins", "bins, each its own colour", Scale::none},
 };
 
 constexpr const MapDescription& description(Map map) {

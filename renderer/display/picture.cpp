@@ -252,11 +252,13 @@ void Picture::finish() const {
 float Picture::exposure_of(const Camera& camera) {
     const Part part = place_of(unpolarized);
     Layer::Drawing kept = layer(part).exchange({});
+    GlimpseLight kept_glimpse = std::exchange(glimpse_, {});  // which is of another view
     const Camera kept_camera = std::exchange(camera_, camera);
     const int kept_width = std::exchange(width_, 128), kept_height = std::exchange(height_, 96);
     for (int i = 0; i < 4; ++i) draw_part(part, 1);
     const float exposure = auto_exposure(stokes(false));
     layers_[part]->exchange(std::move(kept));
+    glimpse_ = std::move(kept_glimpse);
     camera_ = kept_camera;
     width_ = kept_width;
     height_ = kept_height;

@@ -33,7 +33,7 @@ const Program& ScreenPass::program(Map map, bool analyzed, bool stretched) const
     return programs_.try_emplace(key, "full_screen.vert", "screen.frag", defines).first->second;
 }
 
-void ScreenPass::show(const Screen& screen, const LightTextures& light, const Rendition& rendition) const {
+void ScreenPass::show(const Screen& screen, const LightTextures& light, const Rendition& rendition, bool over) const {
     const bool cells = rendition.map == Map::bins;
     const LightTextures::World& world = rendition.shows_polarized_world() ? light.polarized : light.unpolarized;
     const auto or_black = [&](GLuint texture) { return texture != 0 ? texture : black_.id(); };
@@ -61,12 +61,13 @@ void ScreenPass::show(const Screen& screen, const LightTextures& light, const Re
     bind("variance_s3", world.variance_s3);
     bind("squares_s0", world.squares_s0);
     set("has_squares", world.squares_s0 != 0 ? 1 : 0);
+    set("over", over ? 1 : 0);
     set("palette", static_cast<int>(rendition.palette));
     set("analyzer", analyzer);
     set("exposure", rendition.exposure);
     set("screen_size", glm::vec2(screen.width(), screen.height()));
     screen.bind();
-    screen.clear();
+    if (!over) screen.clear();
     shown.use();
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -15,8 +15,8 @@ class ScreenPass {
   public:
     ScreenPass();
 
-    /// Fills the screen, stretched where the sizes differ.
-    void show(const Screen& screen, const LightTextures& light, const Rendition& rendition) const;
+    /// Fills the screen, stretched where the sizes differ. `over`: what is there stays where the light has no draws.
+    void show(const Screen& screen, const LightTextures& light, const Rendition& rendition, bool over = false) const;
 
   private:
     /// The program that shows this map, behind an analyzer or not, of a picture that is stretched or not.

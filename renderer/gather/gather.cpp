@@ -6,12 +6,6 @@
 #include "base/threads.h"
 
 namespace brewster {
-namespace {
-
-constexpr int tile_side = 16;  // pixels
-
-}  // namespace
-
 Gather::Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed) : scene_(std::move(scene)), seed_(seed) {}
 
 void Gather::show(std::shared_ptr<const Snapshot> bins) {
@@ -37,27 +31,47 @@ void Gather::forget() {
     first_photons_ = bins_ ? bins_->photons : 0;
 }
 
-bool Gather::draw(std::uint32_t mean_draws, unsigned threads, const StopAsked& stop) {
+bool Gather::draw(std::uint32_t mean_draws, unsigned threads, const StopAsked& stop, const TileDrawn& drawn) {
     BREWSTER_CHECK(bins_ && width_ > 0, "show and look first");
     if (mean_draws < 2 * pilot_draws)
-        return draw_to(std::vector<std::uint32_t>(pixels_.size(), mean_draws), threads, stop);
+        return draw_to(std::vector<std::uint32_t>(pixels_.size(), mean_draws), threads, stop, drawn);
     if (importance_.empty()) {
-        if (!draw_to(std::vector<std::uint32_t>(pixels_.size(), pilot_draws), threads, stop)) return false;
+        if (!draw_to(std::vector<std::uint32_t>(pixels_.size(), pilot_draws), threads, stop, {})) return false;
         importance_ = importance_of(pixels_, width_, height_);
     }
-    return draw_to(shared_out_draws(importance_, pilot_draws, mean_draws), threads, stop);
+    return draw_to(shared_out_draws(importance_, pilot_draws, mean_draws), threads, stop, drawn);
 }
 
-bool Gather::draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads, const StopAsked& stop) {
-    const int columns = (width_ + tile_side - 1) / tile_side, rows = (height_ + tile_side - 1) / tile_side;
+bool Gather::draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads, const StopAsked& stop,
+                     const TileDrawn& drawn) {
     while (tracers_.size() < threads) tracers_.push_back(std::make_unique<EyeTracer>());
-    on_threads(columns * rows, threads, [&](int tile, unsigned thread) {
-        if (!stop()) draw_tile(*tracers_[thread], tile, wanted, stop);
+    on_threads(tiles(), threads, [&](int tile, unsigned thread) {
+        if (!stop() && draw_tile(*tracers_[thread], tile, wanted, stop) && drawn) drawn(tile);
     });
     return !stop();
 }
 
-void Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint32_t>& wanted, const StopAsked& stop) {
+int Gather::tiles() const {
+    return (width_ + tile_side - 1) / tile_side * ((height_ + tile_side - 1) / tile_side);
+}
+
+Gather::TileBounds Gather::bounds(int tile) const {
+    const int columns = (width_ + tile_side - 1) / tile_side;
+    const int left = tile % columns * tile_side, top = tile / columns * tile_side;
+    return {left, top, std::min(left + tile_side, width_), std::min(top + tile_side, height_)};
+}
+
+PictureTile Gather::tile(int index) const {
+    const TileBounds at = bounds(index);
+    std::vector<PixelSum> pixels;
+    for (int row = at.top; row < at.bottom; ++row) {
+        const PixelSum* first = pixels_.data() + static_cast<std::ptrdiff_t>(row) * width_;
+        pixels.insert(pixels.end(), first + at.left, first + at.right);
+    }
+    return {at.left, at.top, picture_of(pixels, at.right - at.left, at.bottom - at.top)};
+}
+
+bool Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint32_t>& wanted, const StopAsked& stop) {
     struct Share {
         std::size_t pixel, first, count;
     };
@@ -71,10 +85,9 @@ void Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint3
         draws.clear();
         shares.clear();
     };
-    const int columns = (width_ + tile_side - 1) / tile_side;
-    const int left = tile % columns * tile_side, top = tile / columns * tile_side;
-    for (int row = top; row < std::min(top + tile_side, height_); ++row) {
-        for (int column = left; column < std::min(left + tile_side, width_); ++column) {
+    const TileBounds at = bounds(tile);
+    for (int row = at.top; row < at.bottom; ++row) {
+        for (int column = at.left; column < at.right; ++column) {
             const std::size_t pixel =
                 static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
             std::uint32_t next = pixels_[pixel].draws;
@@ -90,11 +103,12 @@ void Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint3
                                      {keys[next % 2], next / 2}});
                 if (draws.size() < eye_batch) continue;
                 flush();
-                if (stop()) return;
+                if (stop()) return false;
             }
         }
     }
     if (!draws.empty()) flush();
+    return true;
 }
 
 double Gather::draws() const {

@@ -14,6 +14,15 @@ namespace brewster {
 /// Asked by every thread after every few hundred draws, so it must be quick.
 using StopAsked = std::function<bool()>;
 
+/// Told of every tile that has got all the draws of a call, by the thread that drew it.
+using TileDrawn = std::function<void(int tile)>;
+
+/// A rectangle of a larger picture, by its upper left pixel in it.
+struct PictureTile {
+    int left = 0, top = 0;
+    StokesPicture picture;
+};
+
 /// A camera's picture from rays of its own that end in the bins, both worlds at once, growing draw by draw.
 ///
 /// Gather gather(std::make_shared<EyeScene>(scene));  gather.show(snapshot);  gather.look(camera, 640, 480);
@@ -25,6 +34,7 @@ class Gather {
   public:
     /// The fewest draws of a pixel where others get more; so many are spent evenly first, to learn where errors are.
     static constexpr std::uint32_t pilot_draws = 16;
+    static constexpr int tile_side = 16;  ///< pixels
 
     explicit Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed = 1);
 
@@ -37,11 +47,14 @@ class Gather {
 
     /// Draws until there are so many for each pixel on the mean, on so many threads. Up to twice pilot_draws all pixels
     /// get the same number, from there on those with larger errors get more. False when `stop` said so before: at
-    /// once, keeping what there is. Needs bins and a look.
-    bool draw(std::uint32_t mean_draws, unsigned threads, const StopAsked& stop);
+    /// once, keeping what there is. Needs bins and a look. `drawn` may ask for its tile, but for nothing else.
+    bool draw(std::uint32_t mean_draws, unsigned threads, const StopAsked& stop, const TileDrawn& drawn = {});
 
     double draws() const;  ///< so far, per pixel on the mean
     StokesPicture picture() const;
+    int tiles() const;  ///< of the picture, row by row
+    /// That part of the picture, but that its variance is learned from the tile alone.
+    PictureTile tile(int index) const;
     PictureError error() const;
     double coarse_share() const;  ///< of the light, what came from bins of gloss at the end of long paths
 
@@ -50,8 +63,14 @@ class Gather {
 
   private:
     void forget();
-    void draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint32_t>& wanted, const StopAsked& stop);
-    bool draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads, const StopAsked& stop);
+    /// False when it was stopped.
+    bool draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint32_t>& wanted, const StopAsked& stop);
+    bool draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads, const StopAsked& stop,
+                 const TileDrawn& drawn);
+    struct TileBounds {
+        int left, top, right, bottom;
+    };
+    TileBounds bounds(int tile) const;
 
     std::shared_ptr<const EyeScene> scene_;
     std::uint64_t seed_;

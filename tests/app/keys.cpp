@@ -45,6 +45,12 @@ TEST(Keys, MapKeysShowTheMapTheyName) {
     EXPECT_EQ(binding_of("B")->argument, static_cast<int>(Map::bins));
 }
 
+TEST(Keys, WhatIsSwitchedIsSwitchedOnceHoweverLongItsKeyIsHeld) {
+    for (const char* chord : {",", "Shift+.", "E", "Shift+E"}) EXPECT_TRUE(repeats(binding_of(chord)->action)) << chord;
+    for (const char* chord : {"A", "P", "V", "Tab", "Space", "Ctrl+Z", "Ctrl+R", "F12"})
+        EXPECT_FALSE(repeats(binding_of(chord)->action)) << chord;
+}
+
 TEST(Keys, OnlyChangesOfTheSceneCostPhotons) {
     for (const KeyBinding& row : key_table()) {
         const bool scene = row.action == Action::undo || row.action == Action::redo || row.action == Action::restart;

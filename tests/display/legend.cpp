@@ -8,6 +8,15 @@
 namespace brewster {
 namespace {
 
+TEST(Legend, LettersFollowTheScreenTheTextAndTheDesktopAsFarAsTheyAreMade) {
+    EXPECT_EQ(legend_text_size(800), 17);
+    EXPECT_EQ(legend_text_size(300), 12);
+    EXPECT_EQ(legend_text_size(800, 2), 34);
+    EXPECT_EQ(legend_text_size(1600, 1, 2), 34) << "the same window on a screen of small pixels";
+    EXPECT_EQ(legend_text_size(900, 1, 2), 24);
+    EXPECT_EQ(legend_text_size(2160, 2, 2), FontAtlas::largest);
+}
+
 TEST(Legend, CountsAreBrief) {
     EXPECT_EQ(brief_count(0), "0");
     EXPECT_EQ(brief_count(999), "999");

@@ -327,22 +327,50 @@ TEST_F(MapsTest, ShaderAndProcessorAgree) {
     }
 }
 
-// The old picture stays until the new one is there altogether.
-TEST_F(MapsTest, APictureThatComesInPartsIsTheSame) {
+// Where nothing has come yet, what is there stays.
+TEST_F(MapsTest, APictureComesTileByTileOverAnother) {
     Rendition dolp;
     dolp.map = Map::dolp;
     const ScreenImage whole = shown(dolp);
     StokesPicture other = picture_;
     for (glm::vec3& pixel : other.of(Plane::s1)) pixel = -0.5f * pixel;
-    light_.upload(other);
-    const ScreenImage before = shown(dolp);
+    GatheredLight below;
+    below.upload(other);
+    const Screen screen = Screen::off_screen(side, side);
+    const auto shown_over = [&] {
+        pass_.show(screen, below.textures(), dolp);
+        pass_.show(screen, light_.textures(), dolp, true);
+        return screen.read();
+    };
+    light_.clear();
+    while (!light_.make_room(side, side)) continue;
+    const ScreenImage before = shown_over();
     ASSERT_NE(before.rgba, whole.rgba);
-    constexpr std::size_t five_rows = 5 * side * sizeof(glm::vec3);
-    light_.begin();
-    int parts = 1;
-    for (; !light_.advance(picture_, five_rows); ++parts) ASSERT_EQ(shown(dolp).rgba, before.rgba) << parts;
-    EXPECT_EQ(parts, (9 * side + 4) / 5);
-    EXPECT_EQ(shown(dolp).rgba, whole.rgba);
+    const auto cut_out = [&](int left, int top, int width, int height) {
+        StokesPicture part(width, height);
+        for (int row = 0; row < height; ++row)
+            for (int column = 0; column < width; ++column) {
+                const auto to = static_cast<std::size_t>(row * width + column),
+                           from = static_cast<std::size_t>((top + row) * side + left + column);
+                for (std::size_t plane = 0; plane < plane_count; ++plane) {
+                    part.light[plane][to] = picture_.light[plane][from];
+                    part.variance[plane][to] = picture_.variance[plane][from];
+                }
+            }
+        light_.put(part, left, top);
+    };
+    cut_out(3, 5, 20, 10);
+    const ScreenImage one = shown_over();
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const bool inside = column >= 3 && column < 23 && row >= 5 && row < 15;
+            const auto i = 4 * static_cast<std::size_t>(row * side + column);
+            const auto& expected = inside ? whole.rgba : before.rgba;
+            ASSERT_TRUE(std::equal(&one.rgba[i], &one.rgba[i] + 4, &expected[i])) << column << ' ' << row;
+        }
+    cut_out(0, 0, side, 5);
+    cut_out(0, 5, side, side - 5);
+    EXPECT_EQ(shown_over().rgba, whole.rgba);
 }
 
 TEST_F(MapsTest, WorldsAreChosenByTheRendition) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <map>
+#include <mutex>
 #include <thread>
 
 #include "gather/gather_test.h"
@@ -69,6 +71,38 @@ TEST(Gather, StepsDoNotMatter) {
     Gather other_seed = room().gather(40, 30, 2);
     other_seed.draw(64, 2, never);
     EXPECT_GT(greatest_difference(at_once.picture(), other_seed.picture()), 1e-3);
+}
+
+/// Each once, with all its draws: looked at while others are drawn, a tile is what it is in the picture.
+TEST(Gather, TilesAreOfferedWhenTheyAreDrawn) {
+    Gather gather = room().gather(40, 30);
+    std::mutex mutex;
+    std::map<int, PictureTile> tiles;
+    const auto drawn = [&](int tile) {
+        PictureTile seen = gather.tile(tile);
+        const std::lock_guard lock(mutex);
+        EXPECT_TRUE(tiles.emplace(tile, std::move(seen)).second) << tile;
+    };
+    EXPECT_TRUE(gather.draw(40, 2, never, drawn));
+    ASSERT_EQ(tiles.size(), static_cast<std::size_t>(gather.tiles()));
+    ASSERT_EQ(tiles.size(), 6u);
+    const StokesPicture whole = gather.picture();
+    std::size_t pixels = 0;
+    double draws = 0;
+    for (const auto& [index, tile] : tiles) {
+        const StokesPicture& part = tile.picture;
+        pixels += part.pixel_count();
+        draws += part.draws * static_cast<double>(part.pixel_count());
+        for (int y = 0; y < part.height; ++y)
+            for (int x = 0; x < part.width; ++x)
+                ASSERT_EQ(part.of(Plane::s1)[static_cast<std::size_t>(y * part.width + x)],
+                          whole.of(Plane::s1)[static_cast<std::size_t>((tile.top + y) * 40 + tile.left + x)])
+                    << index << ' ' << x << ' ' << y;
+    }
+    EXPECT_EQ(pixels, 1200u);
+    EXPECT_NEAR(draws / 1200, gather.draws(), 1e-6);
+    const auto stop_at_once = [] { return true; };
+    EXPECT_FALSE(gather.draw(64, 2, stop_at_once, [](int) { ADD_FAILURE() << "nothing is drawn"; }));
 }
 
 TEST(Gather, MeanDrawsAreWhatIsAskedFor) {
