@@ -38,8 +38,8 @@ void Pruning<D>::gather_spreads() {
 }
 
 template <int D>
-NodeSums<D> Pruning<D>::sums_of(int field) const {
-    NodeSums<D> sums(tree_.node_count());
+void Pruning<D>::sum_up(int field, NodeSums<D>& sums) const {
+    sums.resize(tree_.node_count());
     nodes_.visit([&](std::uint32_t node) {
         const Quanta* const pending = is_pending(node) ? pending_->estimate(tree_.node(node).leaf()) : nullptr;
         sums[node] = read_sums<D>(tree_.layout(), tree_.sums(node).estimate, pending, field);
@@ -49,15 +49,13 @@ NodeSums<D> Pruning<D>::sums_of(int field) const {
             add_child<D>(sums[node], tree_.cell(node).box, sums[child], tree_.cell(child).box);
         }
     });
-    return sums;
 }
 
 template <int D>
 void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
-    const std::size_t count = tree_.node_count();
-    keep_ = ZeroedArray<std::uint8_t>(count);
-    unresolved_ = ZeroedArray<std::array<double, looked_below>>(count);
-    ZeroedArray<double> gain(count);
+    keep_.resize(tree_.node_count());
+    unresolved_.resize(tree_.node_count());
+    gain_.resize(tree_.node_count());
     const int freedom = settings_.constant_cells ? 1 : D + 1;
     const auto energy_of = [&](const LinearFit<D>& fit, double weight, const std::array<double, D>& moments) {
         return settings_.constant_cells ? weight * weight / fit.measure() : fit.energy(weight, moments);
@@ -71,6 +69,9 @@ void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
         }
     }
     nodes_.visit([&](std::uint32_t node) {
+        keep_[node] = 0;
+        unresolved_[node] = {};
+        gain_[node] = 0;
         if (tree_.node(node).is_leaf()) return;
         if (settings_.fixed_grid_log2 >= 0) {
             keep_[node] = 1;
@@ -118,9 +119,9 @@ void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
             for (std::size_t level = 1; level < looked_below; ++level)
                 below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
         }
-        const double net = detail + gain[low] + gain[high] - 2 * settings_.prune_lambda * noise;
+        const double net = detail + gain_[low] + gain_[high] - 2 * settings_.prune_lambda * noise;
         if (net > 0) {
-            gain[node] = net;
+            gain_[node] = net;
             keep_[node] = 1;
         }
     });

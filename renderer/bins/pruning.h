@@ -28,7 +28,8 @@ class Pruning {
     Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64_t photons, const BinSettings& settings,
             unsigned threads);
 
-    NodeSums<D> sums_of(int field) const;
+    /// Fills an array that may have held another field's: clearing new pages would take as long.
+    void sum_up(int field, NodeSums<D>& sums) const;
 
     /// Chooses the splits worth publishing for the fields whose sums are given; the first is the intensity against which
     /// errors count. Bottom-up: a split is kept if what it adds to the parent's linear fit, plus what its children gain,
@@ -63,6 +64,7 @@ class Pruning {
     ZeroedArray<std::uint8_t> keep_;  // per node: whether its split is published
     // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x measure.
     ZeroedArray<std::array<double, looked_below>> unresolved_;
+    ZeroedArray<double> gain_;                                // per node: what publishing the splits from here on gains
     std::vector<std::array<double, band_count>> importance_;  // per chart
     std::vector<double> chart_ratio_;                         // per chart: pooled spread over sum w^2
 };

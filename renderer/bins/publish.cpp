@@ -34,12 +34,12 @@ class Publisher {
         snapshot_.direct_worlds = fields_.direct_worlds;
         snapshot_.indirect_worlds = fields_.indirect_worlds;
         for (int light = 0; light < 2; ++light) {
-            sums_ = pruning_.sums_of(fields_.field(light, 0));
+            pruning_.sum_up(fields_.field(light, 0), sums_);
             pruning_.choose({&sums_});
             lay_out(light);
             // Both worlds have the same leaves, so that what differs between them is light.
             for (int world = 0; world < worlds_; ++world) {
-                if (world > 0) sums_ = pruning_.sums_of(fields_.field(light, world));
+                if (world > 0) pruning_.sum_up(fields_.field(light, world), sums_);
                 fit_leaves();
                 write_leaves(light, world);
             }
@@ -67,7 +67,7 @@ class Publisher {
     const unsigned threads_;
     Snapshot snapshot_;
     NodeSums<2> sums_;                       // of the light and world at hand
-    ZeroedArray<PublishedLeaf> leaves_;      // of the light at hand, chart after chart
+    ZeroedArray<PublishedLeaf> leaves_;      // at least those of the light at hand, chart after chart
     std::vector<std::uint32_t> leaf_nodes_;  // beside them
     struct Place {
         std::uint32_t chart, u, v;
@@ -152,7 +152,7 @@ void Publisher::lay_out_node(std::uint32_t node, std::uint32_t slot) {
 
 // In the order of lay_out.
 void Publisher::fit_leaves() {
-    leaves_ = ZeroedArray<PublishedLeaf>(leaf_nodes_.size());
+    leaves_.resize(leaf_nodes_.size());
     over_ranges(tree_.chart_count(), 1, threads_, [&](std::size_t chart, std::size_t) {
         const auto& total = sums_[chart].weight;
         const std::size_t begin = chart_begin_[chart];
@@ -201,14 +201,15 @@ std::uint32_t Publisher::locate(std::uint32_t root, std::uint32_t u, std::uint32
 }
 
 void Publisher::write_leaves(int light, int world) {
-    std::vector<LeafExcess> excess(leaves_.size());
-    over_ranges(leaves_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = leaf_nodes_.size();
+    std::vector<LeafExcess> excess(count);
+    over_ranges(count, leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             excess[i] = pruning_.excess(leaf_nodes_[i], sums_[leaf_nodes_[i]], leaves_[i].freedom);
     });
     const std::vector<double> hidden = hidden_structure(excess, chart_begin_);
-    if (light == 1 && world == 0) places_.resize(leaves_.size());
-    over_ranges(leaves_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
+    if (light == 1 && world == 0) places_.resize(count);
+    over_ranges(count, leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const PublishedLeaf& leaf = leaves_[i];
             // The standard error holds the ratio already; structure is told in units of the noise without it.

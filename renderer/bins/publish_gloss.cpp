@@ -37,7 +37,8 @@ class GlossPublisher {
           flux_per_weight_(flux_per_weight),
           threads_(threads),
           field_count_(static_cast<std::size_t>(fields.layout().fields)) {
-        for (int field = 0; field < fields.layout().fields; ++field) sums_.push_back(pruning_.sums_of(field));
+        for (std::size_t field = 0; field < field_count_; ++field)
+            pruning_.sum_up(static_cast<int>(field), sums_.emplace_back());
         std::vector<const Sums*> all;
         for (const Sums& sums : sums_) all.push_back(&sums);
         pruning_.choose(all);

@@ -1,5 +1,6 @@
 #include "scene/prepared_material.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
 
@@ -82,7 +83,11 @@ PreparedMaterial::PreparedMaterial(const Material& material, std::shared_ptr<con
 }
 
 std::vector<PreparedMaterial> prepare_materials(const std::vector<Material>& materials) {
-    const auto rules = std::make_shared<const OrderRules>();
+    // They take ten milliseconds, and few scenes ask them.
+    const bool any_kirchhoff = std::any_of(materials.begin(), materials.end(), [](const Material& material) {
+        return material.interface.finish == Finish::kirchhoff;
+    });
+    const auto rules = any_kirchhoff ? std::make_shared<const OrderRules>() : nullptr;
     std::vector<PreparedMaterial> prepared;
     prepared.reserve(materials.size());
     for (const Material& material : materials) prepared.emplace_back(material, rules);
