@@ -7,6 +7,12 @@
 namespace brewster {
 namespace {
 
+void heading(const Desk& desk, const char* words) {
+    ImGui::Spacing();
+    ImGui::TextColored(desk.preferences.light ? ImVec4(0.65f, 0.33f, 0, 1) : ImVec4(0.95f, 0.6f, 0.25f, 1), "%s",
+                       words);
+}
+
 void rows_of(std::string_view group) {
     for (const KeyBinding& row : key_table()) {
         if (row.group != group || row.text.empty()) continue;
@@ -29,6 +35,7 @@ void help_window(Desk& desk) {
     ImGui::SetNextWindowSize({std::min(860 * desk.scale, 0.97f * size.x), std::min(780 * desk.scale, 0.95f * size.y)},
                              ImGuiCond_Appearing);
     if (ImGui::Begin("help", &desk.shown.help, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, 0});  // all at once is seen
         if (ImGui::BeginTable("keys and mouse", 2)) {
             ImGui::TableNextRow();
             std::string_view group;
@@ -36,7 +43,7 @@ void help_window(Desk& desk) {
                 if (row.group == group) continue;
                 group = row.group;
                 ImGui::TableNextColumn();
-                ImGui::TextColored({0.95f, 0.6f, 0.25f, 1}, "%s", std::string(group).c_str());
+                heading(desk, std::string(group).c_str());
                 if (ImGui::BeginTable(std::string(group).c_str(), 2, ImGuiTableFlags_RowBg)) {
                     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 105 * desk.scale);
                     ImGui::TableSetupColumn("what");
@@ -45,11 +52,12 @@ void help_window(Desk& desk) {
                 }
             }
             ImGui::TableNextColumn();
-            ImGui::TextColored({0.95f, 0.6f, 0.25f, 1}, "Mouse");
+            heading(desk, "Mouse");
             for (const MouseGesture& gesture : mouse_gestures())
                 ImGui::TextWrapped("%s: %s", std::string(gesture.gesture).c_str(), std::string(gesture.text).c_str());
             ImGui::EndTable();
         }
+        ImGui::PopStyleVar();
         ImGui::TextWrapped(
             "Sliders: Ctrl+click to type a number. Tab goes to the next number while one is typed, and otherwise hides "
             "the "

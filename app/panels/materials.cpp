@@ -47,15 +47,18 @@ bool number_widget(const char* label, double& value, double from, double to, dou
     return changed;
 }
 
+std::string medium_words(const OpticalConstants& medium) {
+    return std::string(medium.name) + ", n " + significant(medium.n[1]) +
+           (medium.k[1] > 0 ? ", k " + significant(medium.k[1]) : "");
+}
+
 bool medium_widget(std::string& name) {
     bool changed = false;
-    if (!ImGui::BeginCombo("medium", name.empty() ? "by numbers" : name.c_str())) return false;
+    const OpticalConstants* chosen = find_medium(name);
+    if (!ImGui::BeginCombo("medium", chosen ? medium_words(*chosen).c_str() : "by numbers")) return false;
     for (const OpticalConstants& medium : named_materials) {
-        const std::string candidate(medium.name);
-        const std::string words =
-            candidate + ", n " + significant(medium.n[1]) + (medium.k[1] > 0 ? ", k " + significant(medium.k[1]) : "");
-        if (ImGui::Selectable(words.c_str(), candidate == name)) {
-            name = candidate;
+        if (ImGui::Selectable(medium_words(medium).c_str(), &medium == chosen)) {
+            name = medium.name;
             changed = true;
         }
         hint(std::string(medium.source).c_str());
@@ -173,7 +176,8 @@ void materials_panel(Desk& desk) {
     if (shown.material >= count) shown.material = -1;
     faint_text("click one, or M over the picture");
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    ImGui::BeginChild("materials", {0, line * static_cast<float>(std::clamp(count, 3, 7)) + 6}, true);
+    const float frame = 2 * ImGui::GetStyle().WindowPadding.y - ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("materials", {0, line * static_cast<float>(std::clamp(count, 3, 7)) + frame}, true);
     for (int i = 0; i < count; ++i) {
         const Material& material = desk.scene.materials[static_cast<std::size_t>(i)];
         ImGui::PushID(i);
