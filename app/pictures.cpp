@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <utility>
 
 #include "app/ground_truth.h"
 #include "app/report.h"
@@ -122,6 +124,10 @@ PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot
     Text text;
     std::optional<Rays> rays;
     std::vector<CameraRecord> records;
+    std::future<void> writing;  // a large picture's file, while the next one is drawn; one at a time, for their memory
+    const auto finish_writing = [&] {
+        if (writing.valid()) writing.get();
+    };
     for (const PictureName& name : pictures) {
         const Camera& camera = scene.camera(name.camera);
         const PictureSize size = size_for(camera, options.size);
@@ -142,7 +148,9 @@ PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot
                 add_ground_truth(stokes, scene, *rays, camera);
                 records.push_back({camera.name, name.path, size, camera});
             }
-            write_stokes_exr(name.path, stokes);
+            finish_writing();
+            writing = std::async(std::launch::async,
+                                 [path = name.path, file = std::move(stokes)] { write_stokes_exr(path, file); });
         } else {
             if (!from_bins) gathered.upload(eye->of(camera));
             const Screen screen = Screen::off_screen(size.width, size.height);
@@ -151,6 +159,7 @@ PicturesResult write_pictures(const Scene& scene, std::shared_ptr<const Snapshot
             write_png(name.path, screen.read());
         }
     }
+    finish_writing();
     if (!records.empty()) write_cameras(scene, records);
     if (eye) result.gather = eye->result();
     return result;

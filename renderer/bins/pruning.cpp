@@ -1,6 +1,7 @@
 #include "bins/pruning.h"
 
 #include "bins/half_difference.h"
+#include "bins/split_test.h"
 
 namespace brewster {
 
@@ -35,6 +36,42 @@ void Pruning<D>::gather_spreads() {
         spread.add(spreads_[tree_.node(node).low_child()]);
         spread.add(spreads_[tree_.node(node).low_child() + 1]);
     });
+    std::vector<double> variance(tree_.chart_count()), squares(tree_.chart_count());
+    for (std::uint32_t node = 0; node < tree_.node_count(); ++node) {
+        if (!tree_.node(node).is_leaf()) continue;
+        variance[tree_.cell(node).chart] += spreads_[node].variance();
+        squares[tree_.cell(node).chart] += spreads_[node].squares;
+    }
+    tally_ratio_.resize(tree_.chart_count());
+    for (std::size_t chart = 0; chart < tally_ratio_.size(); ++chart)
+        tally_ratio_[chart] = squares[chart] > 0 ? variance[chart] / squares[chart] : 1;
+}
+
+// What the node's test saw beyond a linear fit, less its noise, while it was a leaf. It knows the band mean; all bands are
+// taken to have that structure relative to their light.
+template <int D>
+double Pruning<D>::misfit(std::uint32_t node, const FieldSums<D>& sums) const {
+    const TreeNode& tree_node = tree_.node(node);
+    const Cell<D>& cell = tree_.cell(node);
+    const std::uint64_t end = tree_node.is_leaf() ? photons_ : tree_.cell(tree_node.low_child()).birth;
+    const auto time = static_cast<double>(end - cell.birth);
+    if (time <= 0) return 0;
+    const std::span<const Wide> own = tree_.sums(node).test;
+    const Quanta* const pending = is_pending(node) ? pending_->test(tree_node.leaf()) : nullptr;
+    const auto sum = [&](int row) {
+        const auto i = static_cast<std::size_t>(row);
+        return to_weight(own[i] + (pending ? pending[i] : 0));
+    };
+    double weight = 0, light = 0, relative = 0;
+    for (int r = 0; r < replica_count; ++r) weight += sum(RecordLayout<D>::replicas + r);
+    for (std::size_t b = 0; b < band_count; ++b) {
+        light += sums.weight[b] / age(node) / band_count;
+        relative += importance_[cell.chart][b] * sums.weight[b] * sums.weight[b] / (age(node) * age(node));
+    }
+    if (light <= 0) return 0;
+    const Misfit<D> found(sum, weight, null_moments<D>(cell.geometry));
+    const double noise = Misfit<D>::functions * tally_ratio_[cell.chart] * sum(RecordLayout<D>::squares);
+    return (found.energy - noise) / (cell_measure(cell) * time * time) * relative / (light * light);
 }
 
 template <int D>
@@ -72,18 +109,20 @@ void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
         keep_[node] = 0;
         unresolved_[node] = {};
         gain_[node] = 0;
-        if (tree_.node(node).is_leaf()) return;
+        const bool is_leaf = tree_.node(node).is_leaf();
         if (settings_.fixed_grid_log2 >= 0) {
-            keep_[node] = 1;
+            if (!is_leaf) keep_[node] = 1;
             return;
         }
         const std::uint32_t low = tree_.node(node).low_child(), high = low + 1;
-        const double time = age(low);
+        const double time = is_leaf ? 0 : age(low);
+        const bool is_young = 2 * time < static_cast<double>(photons_);
+        if (D == 4 && is_young) unresolved_[node].fill(misfit(node, (*fields[0])[node]));
         if (time <= 0) return;
         const Cell<D>& cell = tree_.cell(node);
         const LinearFit<D> parent(cell);
         const LinearFit<D> fits[2] = {LinearFit<D>(tree_.cell(low)), LinearFit<D>(tree_.cell(high))};
-        double detail = 0, noise = 0;
+        double detail = 0, noise = 0, first_detail = 0, first_noise = 0;
         bool any = false;
         if (settings_.half_differences) {
             keep_[node] = halves_are_known((*fields[0])[low], (*fields[0])[high]) ? 1 : 0;
@@ -108,14 +147,18 @@ void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
                 detail += band * energy;
                 noise += band * freedom * variance;
             }
+            if (field == fields.front()) {
+                first_detail = detail;
+                first_noise = noise;
+            }
         }
         if (!any) return;
-        if (2 * time >= static_cast<double>(photons_)) {
+        if (!is_young) {
             std::array<double, looked_below>& below = unresolved_[node];
             // Stratified photons: all of the small noise is taken off, no more, or it would hide the structure.
             const double squares = spreads_[low].squares + spreads_[high].squares;
             const double ratio = squares > 0 ? (spreads_[low].variance() + spreads_[high].variance()) / squares : 1;
-            below.fill((detail - ratio * noise) / time);
+            below.fill((first_detail - ratio * first_noise) / time);
             for (std::size_t level = 1; level < looked_below; ++level)
                 below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
         }

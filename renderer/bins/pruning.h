@@ -52,6 +52,7 @@ class Pruning {
   private:
     bool is_pending(std::uint32_t node) const;
     void gather_spreads();
+    double misfit(std::uint32_t node, const FieldSums<D>& sums) const;
     void pool_spreads();
 
     const BinTree<D>& tree_;
@@ -62,9 +63,11 @@ class Pruning {
     const BottomUp<D> nodes_;
     ZeroedArray<Spread> spreads_;     // per node
     ZeroedArray<std::uint8_t> keep_;  // per node: whether its split is published
-    // Per node: what its split explains beyond noise, with those of one, two .. levels below; squared density x measure.
+    // Per node: what its split explains beyond noise of the first field, with those of one, two .. levels below; of gloss,
+    // what its own test saw where no split has been known for half of all photons. Squared density x measure.
     ZeroedArray<std::array<double, looked_below>> unresolved_;
-    ZeroedArray<double> gain_;                                // per node: what publishing the splits from here on gains
+    ZeroedArray<double> gain_;         // per node: what publishing the splits from here on gains
+    std::vector<double> tally_ratio_;  // per chart: spread over sum w^2 of the tally tree's leaves
     std::vector<std::array<double, band_count>> importance_;  // per chart
     std::vector<double> chart_ratio_;                         // per chart: pooled spread over sum w^2
 };

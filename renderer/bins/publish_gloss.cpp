@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/threads.h"
+#include "bins/lookup.h"
 #include "bins/pruning.h"
 
 namespace brewster {
@@ -50,12 +51,15 @@ class GlossPublisher {
             const auto root = static_cast<std::uint32_t>(bins_.nodes.size());
             bins_.roots.push_back(root);
             bins_.nodes.emplace_back();
+            chart_begin_.push_back(leaves_.size());
             lay_out_node(chart, root, total(sums_[0], chart), total(sums_[unpolarized()], chart));
         }
+        chart_begin_.push_back(leaves_.size());
         bins_.leaves.resize(leaves_.size() * field_count_ * BREWSTER_GLOSS_FIELD_TEXELS);
         over_ranges(leaves_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
             for (std::size_t leaf = begin; leaf < end; ++leaf) write_leaf(leaf);
         });
+        add_hidden_structure();
         return std::move(bins_);
     }
 
@@ -135,6 +139,22 @@ class GlossPublisher {
         }
     }
 
+    // The look-up takes pruning to hide so many times the noise everywhere; here errors grow where more is seen.
+    void add_hidden_structure() {
+        std::vector<LeafExcess> excess;
+        for (const Leaf& leaf : leaves_) excess.push_back(pruning_.excess(leaf.node, sums_[0][leaf.node], 5));
+        const std::vector<double> hidden = hidden_structure(excess, chart_begin_);
+        const std::size_t texels_per_leaf = BREWSTER_GLOSS_FIELD_TEXELS * field_count_;
+        for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+            const double taken = static_cast<double>(BREWSTER_HIDDEN_STRUCTURE);
+            const double more = std::max(taken, hidden[leaf] / pruning_.variance_ratio(leaves_[leaf].node));
+            const auto factor = static_cast<float>(std::sqrt((1 + more) / (1 + taken)));
+            for (std::size_t field = 0; field < field_count_; ++field)
+                for (std::size_t band = 0; band < band_count; ++band)
+                    bins_.leaves[leaf * texels_per_leaf + field * BREWSTER_GLOSS_FIELD_TEXELS + band].w *= factor;
+        }
+    }
+
     static Linear fitted(const LinearFit<4>& fit, const FieldSums<4>& sums, std::size_t b, double scale) {
         Linear linear;
         linear.mean = scale * sums.weight[b];
@@ -187,6 +207,7 @@ class GlossPublisher {
     std::vector<Sums> sums_;    // per field
     std::vector<Leaf> leaves_;  // that are published
     GlossBins bins_;
+    std::vector<std::size_t> chart_begin_;  // into leaves_, per chart and one more
 };
 
 }  // namespace

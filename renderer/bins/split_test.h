@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bins/bin_settings.h"
+#include "bins/outline.h"
 #include "bins/record.h"
 
 namespace brewster {
@@ -15,10 +16,48 @@ struct NullMoments {
     std::array<double, RecordLayout<D>::pair_count> sign_product{};
 };
 
+template <int D>
+NullMoments<D> null_moments(const CellGeometry& geometry) {
+    NullMoments<D> null;
+    for (std::size_t a = 0; a < 2; ++a) {
+        null.mean[a] = geometry.mean[a];
+        null.legendre[a] = geometry.legendre[a];
+        null.sign[a] = geometry.sign[a];
+    }
+    null.sign_product[0] = geometry.sign_product;  // the pair (u, v) is the first
+    return null;
+}
+
 struct SplitChoice {
     int axis = 0;
     double z_squared = 0;  ///< squared deviation from a linear cell, in variances
     double power = 0;      ///< sum of weights
+};
+
+/// What the test's functions see of a cell beyond its linear fit: the integral of their part's square times the cell's
+/// measure. Were it nothing but the noise of independent photons, that would be sum w^2 for each function on the mean.
+/// `sum`: row of the test record -> its value.
+template <int D>
+struct Misfit {
+    static constexpr int functions = 2 * D + RecordLayout<D>::pair_count;
+    double energy = 0;
+
+    template <class Sum>
+    Misfit(const Sum& sum, double weight, const NullMoments<D>& null) {
+        using Layout = RecordLayout<D>;
+        for (int a = 0; a < D; ++a) {
+            const auto i = static_cast<std::size_t>(a);
+            const double slope = sum(Layout::moments + a) - weight * null.mean[i];
+            const double curve = sum(Layout::legendre + a) - weight * null.legendre[i];
+            const double step = sum(Layout::signs + a) - weight * null.sign[i] - 1.5 * slope;
+            energy += 5 * curve * curve + 4 * step * step;
+        }
+        for (int pair = 0; pair < Layout::pair_count; ++pair) {
+            const double twist =
+                sum(Layout::products + pair) - weight * null.sign_product[static_cast<std::size_t>(pair)];
+            energy += twist * twist;
+        }
+    }
 };
 
 /// Looks for what a linear cell cannot show: second Legendre moments, steps at the middle that a slope does not

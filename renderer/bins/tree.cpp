@@ -32,18 +32,6 @@ LeafFrame<D> frame_of(const Box<D>& box) {
     return frame;
 }
 
-template <int D>
-NullMoments<D> null_moments(const CellGeometry& geometry) {
-    NullMoments<D> null;
-    for (std::size_t a = 0; a < 2; ++a) {
-        null.mean[a] = geometry.mean[a];
-        null.legendre[a] = geometry.legendre[a];
-        null.sign[a] = geometry.sign[a];
-    }
-    null.sign_product[0] = geometry.sign_product;  // the pair (u, v) is the first
-    return null;
-}
-
 std::uint32_t fixed(double unit) {
     return static_cast<std::uint32_t>(std::clamp(std::lround(unit * BREWSTER_UV_ONE), 0L, long{BREWSTER_UV_ONE}));
 }

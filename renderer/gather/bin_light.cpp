@@ -5,7 +5,8 @@
 
 namespace brewster {
 
-void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first, std::uint32_t end, Entered& entered) {
+void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first, std::uint32_t end,
+                  DirectLight direct_light, Entered& entered) {
     for (std::uint32_t i = first; i < end; ++i) {
         const ChartBins& chart = bins.charts[level.chart[i]];
         const std::uint32_t u = level.u[i], v = level.v[i];
@@ -13,7 +14,7 @@ void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first,
             const auto w = static_cast<std::size_t>(world);
             const auto indirect = lookup::look_up(bins, chart.indirect_root, bins.indirect_offset(world), u, v);
             glm::vec3 value = indirect.value, variance = indirect.standard_error * indirect.standard_error;
-            if (level.reads_direct[i] > 0) {
+            if (direct_light == DirectLight::always || level.reads_direct[i] > 0) {
                 const auto direct = lookup::look_up(bins, chart.direct_root, bins.direct_offset(world), u, v);
                 value += direct.value;
                 variance += direct.standard_error * direct.standard_error;
@@ -28,7 +29,8 @@ void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first,
 }
 
 template <int components>
-void add_gloss_of_bins(const Scene& scene, const Snapshot& bins, Level& level, std::uint32_t i) {
+void add_gloss_of_bins(const Scene& scene, const Snapshot& bins, const Level& level, LevelLight& light,
+                       std::uint32_t i) {
     const std::uint32_t index = level.chart[i];
     if (index >= bins.gloss.roots.size() || bins.gloss.roots[index] == no_root) return;
     const Chart& chart = scene.charts[index];
@@ -47,7 +49,6 @@ void add_gloss_of_bins(const Scene& scene, const Snapshot& bins, Level& level, s
     const lookup::GlossValue off = components > 1 ? read(true) : on;
     const FrameRotation<float> turn =
         rotation_between(outwards, transported_axis(normal, tangent_u, outwards), load_vector<float>(level.axis, i));
-    LevelLight& light = level.light;
     for (int band = 0; band < band_count; ++band) {
         const auto b = static_cast<std::size_t>(band);
         const auto turned = rotate(turn, stokes_of<components>(on.s0[band], on.s1[band], on.s2[band], on.s3[band]));
@@ -60,7 +61,7 @@ void add_gloss_of_bins(const Scene& scene, const Snapshot& bins, Level& level, s
     }
 }
 
-template void add_gloss_of_bins<1>(const Scene&, const Snapshot&, Level&, std::uint32_t);
-template void add_gloss_of_bins<4>(const Scene&, const Snapshot&, Level&, std::uint32_t);
+template void add_gloss_of_bins<1>(const Scene&, const Snapshot&, const Level&, LevelLight&, std::uint32_t);
+template void add_gloss_of_bins<4>(const Scene&, const Snapshot&, const Level&, LevelLight&, std::uint32_t);
 
 }  // namespace brewster

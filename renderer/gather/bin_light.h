@@ -9,12 +9,16 @@ struct Entered {
     std::array<Rows<3>, 2> value, error;
 };
 
-/// Reads the bins of position for entries [first, end): the indirect light, and the direct light as well where the level
-/// says so.
-void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first, std::uint32_t end, Entered& entered);
+/// Whether the bins of position tell the direct light: always, or where the level says so.
+enum class DirectLight { always, where_wanted };
 
-/// Ends entry i in the bins of gloss: adds what the interface sends back from there.
+/// Reads the bins of position for entries [first, end): the indirect light, and the direct light as asked.
+void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first, std::uint32_t end,
+                  DirectLight direct_light, Entered& entered);
+
+/// Ends entry i in the bins of gloss: adds to `light` what the interface sends back from there.
 template <int components>
-void add_gloss_of_bins(const Scene& scene, const Snapshot& bins, Level& level, std::uint32_t i);
+void add_gloss_of_bins(const Scene& scene, const Snapshot& bins, const Level& level, LevelLight& light,
+                       std::uint32_t i);
 
 }  // namespace brewster

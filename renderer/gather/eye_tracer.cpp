@@ -58,7 +58,7 @@ struct EyeTracer::Storage {
     Entered entered;
     LampRays lamps;
     std::array<Onwards, 2> onwards;
-    LevelLight brought;
+    LevelLight brought, alone;
     EyeStageSeconds seconds{};
     EventNumbers events;
 };
@@ -96,7 +96,7 @@ class EyeTracer::Batch {
         s_.next_segments.clear();
         for (const Group& group : level.groups) {
             const PreparedMaterial& material = scene_.materials[group.material];
-            if (material.diffuse()) light_from_bins(material, level, group);
+            if (material.diffuse()) light_from_bins(material, level, group, DirectLight::where_wanted, level.light);
         }
         clock.lap(EyeStage::bins);
         if (scene_.lamps.any())
@@ -119,21 +119,48 @@ class EyeTracer::Batch {
         clock.lap(EyeStage::back);
     }
 
-    void hand_over(LevelLight& seen) const {
+    /// What the bins alone say of the first level, for draws that ask; that level must have been taken.
+    void read_bins(BinsAlone& alone) {
+        std::fill_n(alone.known.begin(), draws_.size(), false);
+        if (std::none_of(draws_.begin(), draws_.end(), [](const Draw& draw) { return draw.reads_bins; })) return;
+        const Level& first = s_.level(0);
+        s_.alone.clear(first.size);
+        for (const Group& group : first.groups) {
+            const PreparedMaterial& material = scene_.materials[group.material];
+            if (material.base == Base::transparent || !material.rough() || material.emission != glm::vec3(0.0f))
+                continue;
+            const auto wanted = [&](std::uint32_t i) { return draws_[first.draw[i]].reads_bins; };
+            bool any = false;
+            for (std::uint32_t i = group.first; i < group.end; ++i) any = any || wanted(i);
+            if (!any) continue;
+            if (material.diffuse()) light_from_bins(material, first, group, DirectLight::always, s_.alone);
+            for (std::uint32_t i = group.first; i < group.end; ++i) {
+                if (!wanted(i)) continue;
+                add_gloss_of_bins<components>(scene_.scene, bins_, first, s_.alone, i);
+                alone.known[first.draw[i]] = true;
+            }
+        }
+        hand_over(s_.alone, alone.light);
+    }
+
+    void hand_over(LevelLight& seen) const { hand_over(s_.level(0).light, seen); }
+
+  private:
+    /// Light along the rays of the first level as that of their draws.
+    void hand_over(const LevelLight& light, LevelLight& seen) const {
         const Level& first = s_.level(0);
         const auto put = [&](const auto& from, auto& to) {
             for (std::size_t row = 0; row < from.size(); ++row)
                 for (std::uint32_t k = 0; k < first.size; ++k) to[row][first.parent[k]] = from[row][k];
         };
-        put(first.light.stokes, seen.stokes);
-        put(first.light.unpolarized, seen.unpolarized);
-        put(first.light.error, seen.error);
-        put(first.light.polarized_error, seen.polarized_error);
-        put(first.light.unpolarized_error, seen.unpolarized_error);
-        for (std::uint32_t k = 0; k < first.size; ++k) seen.coarse[first.parent[k]] = first.light.coarse[k];
+        put(light.stokes, seen.stokes);
+        put(light.unpolarized, seen.unpolarized);
+        put(light.error, seen.error);
+        put(light.polarized_error, seen.polarized_error);
+        put(light.unpolarized_error, seen.unpolarized_error);
+        for (std::uint32_t k = 0; k < first.size; ++k) seen.coarse[first.parent[k]] = light.coarse[k];
     }
 
-  private:
     void meet(Level& level, bool first_look) {
         const std::vector<Segment>& segments = s_.segments;
         s_.rays.clear();
@@ -244,10 +271,11 @@ class EyeTracer::Batch {
         });
     }
 
-    void light_from_bins(const PreparedMaterial& material, Level& level, const Group& group) {
-        read_entered(bins_, level, group.first, group.end, s_.entered);
+    void light_from_bins(const PreparedMaterial& material, const Level& level, const Group& group,
+                         DirectLight direct_light, LevelLight& light) {
+        read_entered(bins_, level, group.first, group.end, direct_light, s_.entered);
         over(group, [&]<class Real>(std::uint32_t i) {
-            add_base<components, Real>(material, scene_.coloured, s_.entered, level, i);
+            add_base<components, Real>(material, scene_.coloured, s_.entered, level, light, i);
         });
     }
 
@@ -267,7 +295,7 @@ class EyeTracer::Batch {
                 for (std::uint8_t way = 0; way < 2; ++way)
                     if (Segment* next = next_segment(level, i, way)) next->parted = next->parted || both;
             } else if (level.ends_in_bins(i)) {
-                add_gloss_of_bins<components>(scene_.scene, bins_, level, i);
+                add_gloss_of_bins<components>(scene_.scene, bins_, level, level.light, i);
             } else {
                 next_segment(level, i, 0);
             }
@@ -311,12 +339,13 @@ const EyeStageSeconds& EyeTracer::stage_seconds() const {
 }
 
 void EyeTracer::trace(const EyeScene& scene, const Snapshot& bins, const Camera& camera, int width, int height,
-                      std::span<const Draw> draws, LevelLight& seen) {
+                      std::span<const Draw> draws, LevelLight& seen, BinsAlone* alone) {
     BREWSTER_CHECK(draws.size() <= eye_batch, std::to_string(draws.size()));
     const auto run = [&](auto batch) {
         batch.start(camera, width, height);
         std::size_t depth = 0;
         for (; !batch.done(); ++depth) batch.take(depth);
+        if (alone) batch.read_bins(*alone);
         for (std::size_t d = depth; d-- > 1;) batch.bring_back_from(d);
         batch.hand_over(seen);
     };

@@ -17,6 +17,13 @@ struct Draw {
     /// so many times its share as probability. Where little is reflected, following it always costs more than it tells;
     /// but one draw alone looks best so. 0: one of both.
     float eagerness = 4;
+    bool reads_bins = false;  ///< what the bins alone say is wanted, too, where the draw meets rough gloss first
+};
+
+/// What the bins alone say of the light of those draws that asked for it and met rough gloss first.
+struct BinsAlone {
+    LevelLight light;
+    std::array<bool, most_rays> known;
 };
 
 /// What a batch's time goes into, in this order at each depth.
@@ -34,9 +41,9 @@ class EyeTracer {
     EyeTracer();
     ~EyeTracer();
 
-    /// At most eye_batch draws.
+    /// At most eye_batch draws. `alone`: needed where draws read bins.
     void trace(const EyeScene& scene, const Snapshot& bins, const Camera& camera, int width, int height,
-               std::span<const Draw> draws, LevelLight& seen);
+               std::span<const Draw> draws, LevelLight& seen, BinsAlone* alone = nullptr);
 
     const EyeStageSeconds& stage_seconds() const;  ///< so far, for measurements
 

@@ -78,10 +78,11 @@ bool Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint3
     std::vector<Draw> draws;
     std::vector<Share> shares;
     const auto seen = std::make_unique<LevelLight>();
+    const auto alone = std::make_unique<BinsAlone>();
     const auto flush = [&] {
-        tracer.trace(*scene_, *bins_, camera_, width_, height_, draws, *seen);
+        tracer.trace(*scene_, *bins_, camera_, width_, height_, draws, *seen, alone.get());
         for (const Share& share : shares)
-            add_draws(*seen, scene_->components, share.first, share.count, pixels_[share.pixel]);
+            add_draws(*seen, *alone, scene_->components, share.first, share.count, pixels_[share.pixel]);
         draws.clear();
         shares.clear();
     };
@@ -97,10 +98,13 @@ bool Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint3
             const std::array<std::uint32_t, 2> keys = {key(0), key(1)};
             while (next < wanted[pixel]) {
                 shares.push_back({pixel, draws.size(), 0});
-                for (; next < wanted[pixel] && draws.size() < eye_batch; ++next, ++shares.back().count)
-                    draws.push_back({static_cast<std::uint16_t>(column),
-                                     static_cast<std::uint16_t>(row),
-                                     {keys[next % 2], next / 2}});
+                for (; next < wanted[pixel] && draws.size() < eye_batch; ++next, ++shares.back().count) {
+                    Draw& draw = draws.emplace_back();
+                    draw.column = static_cast<std::uint16_t>(column);
+                    draw.row = static_cast<std::uint16_t>(row);
+                    draw.numbers = {keys[next % 2], next / 2};
+                    draw.reads_bins = next < draws_of_bins_alone;
+                }
                 if (draws.size() < eye_batch) continue;
                 flush();
                 if (stop()) return false;
@@ -122,7 +126,7 @@ StokesPicture Gather::picture() const {
 }
 
 PictureError Gather::error() const {
-    return error_of(pixels_);
+    return error_of(pixels_, width_, height_);
 }
 
 double Gather::coarse_share() const {

@@ -34,7 +34,7 @@ class Gather {
   public:
     /// The fewest draws of a pixel where others get more; so many are spent evenly first, to learn where errors are.
     static constexpr std::uint32_t pilot_draws = 16;
-    static constexpr int tile_side = 16;  ///< pixels
+    static constexpr int tile_side = tile_pixels;
 
     explicit Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed = 1);
 

@@ -11,31 +11,32 @@ constexpr double dark_share = 0.01;   // of the mean radiance, below which error
 constexpr float error_power = 0.45f;  // of the squared error
 constexpr std::uint32_t most_draws = 1u << 20;
 
-/// Sums over (2 r + 1)^2 pixels around each, cut at the border.
+/// Sums over (2 r + 1)^2 pixels around each, cut at the borders of the picture, or of tiles.
 class BoxSums {
   public:
-    BoxSums(int width, int height) : width_(width), height_(height) {}
+    BoxSums(int width, int height, int tile = 1 << 16) : width_(width), height_(height), tile_(tile) {}
 
     std::vector<float> operator()(const std::vector<float>& values) const {
         std::vector<float> rows(values.size()), sums(values.size());
         for (int y = 0; y < height_; ++y)
             for (int x = 0; x < width_; ++x) {
                 float sum = 0;
-                for (int i = std::max(x - pool_radius, 0); i <= std::min(x + pool_radius, width_ - 1); ++i)
-                    sum += values[at(i, y)];
+                for (int i = first(x); i <= last(x, width_); ++i) sum += values[at(i, y)];
                 rows[at(x, y)] = sum;
             }
         for (int y = 0; y < height_; ++y)
-            for (int i = std::max(y - pool_radius, 0); i <= std::min(y + pool_radius, height_ - 1); ++i)
+            for (int i = first(y); i <= last(y, height_); ++i)
                 for (int x = 0; x < width_; ++x) sums[at(x, y)] += rows[at(x, i)];
         return sums;
     }
 
   private:
+    int first(int x) const { return std::max(x - pool_radius, x / tile_ * tile_); }
+    int last(int x, int size) const { return std::min({x + pool_radius, (x / tile_ + 1) * tile_ - 1, size - 1}); }
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
-    int width_, height_;
+    int width_, height_, tile_;
 };
 
 /// Variance of the mean as two replicas show it, with one degree of freedom.
@@ -58,7 +59,20 @@ constexpr std::size_t first_unpolarized = static_cast<std::size_t>(Plane::unpola
 
 }  // namespace
 
-void add_draws(const LevelLight& seen, int components, std::size_t first, std::size_t count, PixelSum& pixel) {
+void add_draws(const LevelLight& seen, const BinsAlone& alone, int components, std::size_t first, std::size_t count,
+               PixelSum& pixel) {
+    for (std::size_t i = first; i < first + count && pixel.alone_draws < draws_of_bins_alone;
+         ++i, ++pixel.alone_draws) {
+        const LevelLight& light = alone.known[i] ? alone.light : seen;
+        pixel.alone_known = pixel.alone_known || alone.known[i];
+        for (std::size_t value = 0; value < 3 * static_cast<std::size_t>(components); ++value)
+            pixel.alone[value] += light.stokes[value][i];
+        for (std::size_t band = 0; band < band_count; ++band) {
+            pixel.alone[first_unpolarized + band] +=
+                components > 1 ? light.unpolarized[band][i] : light.stokes[band][i];
+            pixel.alone_error[band] += light.error[band][i];
+        }
+    }
     std::array<std::array<double, plane_values>, 2> sums{};
     std::array<double, plane_values + band_count> squares{};
     std::array<double, 3 * band_count> errors{};
@@ -100,9 +114,41 @@ void add_draws(const LevelLight& seen, int components, std::size_t first, std::s
     add(pixel.coarse, coarse);
 }
 
+std::vector<BinsShare> shares_of_bins(const std::vector<PixelSum>& pixels, int width, int height) {
+    std::vector<BinsShare> shares(pixels.size());
+    const auto known = [](const PixelSum& pixel) { return pixel.alone_known && pixel.draws > 1; };
+    if (std::none_of(pixels.begin(), pixels.end(), known)) return shares;
+    std::vector<float> of_draws(pixels.size()), apart(pixels.size()), stated(pixels.size());
+    for (std::size_t p = 0; p < pixels.size(); ++p) {
+        const PixelSum& pixel = pixels[p];
+        if (!known(pixel)) continue;
+        for (const std::size_t first : {std::size_t{0}, first_unpolarized}) {
+            for (std::size_t band = 0; band < band_count; ++band) {
+                const std::size_t value = first + band;
+                const float difference = pixel.mean(value) - pixel.alone_mean(value);
+                const float error = pixel.alone_error[band] / static_cast<float>(pixel.alone_draws);
+                of_draws[p] += replica_variance(pixel, static_cast<double>(pixel.sums[0][value]),
+                                                static_cast<double>(pixel.sums[1][value]));
+                apart[p] += difference * difference;
+                stated[p] += error * error;
+            }
+        }
+    }
+    const BoxSums pooled(width, height, tile_pixels);
+    const std::vector<float> draws_pool = pooled(of_draws), apart_pool = pooled(apart), stated_pool = pooled(stated);
+    for (std::size_t p = 0; p < pixels.size(); ++p) {
+        if (!known(pixels[p])) continue;
+        const float draws = draws_pool[p] - of_draws[p];
+        const float bins = std::max(stated_pool[p] - stated[p], apart_pool[p] - apart[p] - draws);
+        if (draws > 0 && bins > 0) shares[p] = {draws / (draws + bins), bins / draws};
+    }
+    return shares;
+}
+
 StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int height) {
     StokesPicture picture(width, height);
     const BoxSums pooled(width, height);
+    const std::vector<BinsShare> shares = shares_of_bins(pixels, width, height);
     std::vector<float> replica(pixels.size()), independent(pixels.size());
     // Groups of values that share one gain: s0; s1, s2, s3; unpolarized; the difference of the worlds.
     constexpr std::array<std::size_t, 5> bounds = {0, 3, 12, 15, 18};
@@ -116,23 +162,28 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
             return {read(0, band) - read(0, first_unpolarized + band),
                     read(1, band) - read(1, first_unpolarized + band)};
         };
-        for (std::size_t value = bounds[group]; value < bounds[group + 1]; ++value)
-            for (std::size_t p = 0; p < pixels.size(); ++p) {
+        for (std::size_t p = 0; p < pixels.size(); ++p)
+            for (std::size_t value = bounds[group]; value < bounds[group + 1]; ++value) {
                 const auto [a, b] = sums_of(pixels[p], value);
                 replica[p] += replica_variance(pixels[p], a, b);
                 independent[p] += independent_variance(pixels[p], a + b, static_cast<double>(pixels[p].squares[value]));
             }
         const std::vector<float> replica_pool = pooled(replica), independent_pool = pooled(independent);
-        for (std::size_t value = bounds[group]; value < bounds[group + 1]; ++value) {
-            const std::size_t plane = value / band_count;
-            const auto band = static_cast<int>(value % band_count);
-            auto& variance = value < plane_values ? picture.variance[plane] : picture.difference_variance;
-            for (std::size_t p = 0; p < pixels.size(); ++p) {
-                const PixelSum& pixel = pixels[p];
-                if (pixel.draws == 0) continue;
+        for (std::size_t p = 0; p < pixels.size(); ++p) {
+            const PixelSum& pixel = pixels[p];
+            if (pixel.draws == 0) continue;
+            for (std::size_t value = bounds[group]; value < bounds[group + 1]; ++value) {
+                const std::size_t plane = value / band_count;
+                const auto band = static_cast<int>(value % band_count);
+                auto& variance = value < plane_values ? picture.variance[plane] : picture.difference_variance;
                 const auto [a, b] = sums_of(pixel, value);
                 const double mean = (a + b) / pixel.draws;
-                if (value < plane_values) picture.light[plane][p][band] = static_cast<float>(mean);
+                const auto [share, ratio] = shares[p];
+                if (value < plane_values) {
+                    auto& light = picture.light[plane][p][band];
+                    light = static_cast<float>(mean);
+                    if (share > 0) light += share * (pixel.alone_mean(value) - light);
+                }
                 const float gain = independent_pool[p] > 0 ? replica_pool[p] / independent_pool[p] : 0;
                 const float of_draws =
                     pixel.draws < 2
@@ -145,7 +196,8 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
                                        : group == 2 ? pixel.unpolarized_error[b_index]
                                                     : pixel.error[b_index] - pixel.unpolarized_error[b_index]) /
                                       static_cast<float>(pixel.draws);
-                variance[p][band] = of_draws + of_bins * of_bins;
+                variance[p][band] =
+                    (1 - share) * (1 - share) * (of_draws + of_bins * of_bins) + share * share * ratio * of_draws;
             }
         }
     }
@@ -154,7 +206,8 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
     return picture;
 }
 
-PictureError error_of(const std::vector<PixelSum>& pixels) {
+PictureError error_of(const std::vector<PixelSum>& pixels, int width, int height) {
+    const std::vector<BinsShare> shares = shares_of_bins(pixels, width, height);
     const auto radiance_of = [](const PixelSum& pixel) {
         double sum = 0;
         for (std::size_t band = 0; band < band_count; ++band) sum += static_cast<double>(pixel.mean(band));
@@ -169,7 +222,8 @@ PictureError error_of(const std::vector<PixelSum>& pixels) {
     PictureError error;
     if (!(mean > 0)) return error;
     const double dark = dark_share * mean / count;
-    for (const PixelSum& pixel : pixels) {
+    for (std::size_t p = 0; p < pixels.size(); ++p) {
+        const PixelSum& pixel = pixels[p];
         if (pixel.draws == 0) continue;
         double a = 0, b = 0, of_bins = 0;
         for (std::size_t band = 0; band < band_count; ++band) {
@@ -179,8 +233,10 @@ PictureError error_of(const std::vector<PixelSum>& pixels) {
         }
         of_bins /= pixel.draws;
         const double radiance = radiance_of(pixel), scale = radiance * radiance + dark * dark;
-        error.draws += static_cast<double>(replica_variance(pixel, a, b)) / scale / count;
-        error.bins += of_bins * of_bins / scale / count;
+        const double share = static_cast<double>(shares[p].share), ratio = static_cast<double>(shares[p].ratio);
+        const double of_draws = static_cast<double>(replica_variance(pixel, a, b)), rest = (1 - share) * (1 - share);
+        error.draws += rest * of_draws / scale / count;
+        error.bins += (rest * of_bins * of_bins + share * share * ratio * of_draws) / scale / count;
     }
     return error;
 }

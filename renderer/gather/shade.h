@@ -29,16 +29,16 @@ void add_error(Rows<3>& rows, std::size_t band, std::size_t i, const Real& error
     store(sqrt(fma(before, before, error * error)), at);
 }
 
-/// What the base sends back of the light that has entered it (theory 5; rough interface: 3.9).
+/// Adds to `light` what the base sends back of the light that has entered it (theory 5; rough interface: 3.9).
 template <int components, class Real>
-void add_base(const PreparedMaterial& material, bool tinted, const Entered& entered, Level& level, std::size_t i) {
+void add_base(const PreparedMaterial& material, bool tinted, const Entered& entered, const Level& level,
+              LevelLight& light, std::size_t i) {
     const Vector<Real> light_out = -load_vector<Real>(level.direction, i);
     const Vector<Real> normal = load_vector<Real>(level.shading_normal, i);
     const Real cosine = min(dot(light_out, normal), Real(1));
     FrameRotation<Real> turn;
     if (components > 1 && material.reflects())
         turn = rotation_between(light_out, axis_across(light_out, normal), load_vector<Real>(level.axis, i));
-    LevelLight& light = level.light;
     for (std::size_t band = 0; band < band_count; ++band) {
         const Passage<Real> out = material.passage(band, cosine);
         Real factor(material.base_factor[band]);

@@ -43,5 +43,39 @@ TEST(PublishGloss, AConstantShareOfPolarizationStaysOne) {
     }
 }
 
+/// The error of the one cell that a few photons make, relative to its value. They come from the whole of it, or from a
+/// twentieth of each coordinate around .4, where no leaf has been split yet: the same number, so the same noise.
+float relative_error_of_cell(bool peak) {
+    const GlossFields fields;
+    const BinSettings settings;
+    const RecordLayout<4> layout = fields.layout();
+    BinTree<4> tree({shapes::rectangle(1, 1)}, layout, settings);
+    Tally<4> tally(layout);
+    tally.resize(tree.leaf_count());
+    constexpr std::uint64_t photons = 100;
+    for (std::uint64_t i = 0; i < photons; ++i) {
+        const auto words = philox(5, i, 0, 0);
+        BinTree<4>::Point point;
+        for (std::size_t a = 0; a < 4; ++a) {
+            const float unit = unit_float(words[a]);
+            point[a] = static_cast<std::uint32_t>((peak ? 0.4f + 0.05f * unit : unit) * 0x1p24f);
+        }
+        const std::array<float, 3> weights = {1, 1, 1};
+        file_event<4>(tree, tally, tree.locate(0, point), point, {0, 0, weights, philox(6, i, 0, 0)[0] % 8});
+    }
+    tree.absorb(tally);
+    const GlossBins bins = publish_gloss(tree, fields, nullptr, photons, glm::dvec3(1), settings);
+    EXPECT_EQ(bins.leaf_count(), 1u);
+    return bins.leaves[0].w / (bins.leaves[0].x + 0.2f * (bins.leaves[1].x + bins.leaves[2].x));
+}
+
+/// What a cell without any split below it leaves out is known from its own test.
+TEST(PublishGloss, APeakWithinACellIsInItsError) {
+    const float even = relative_error_of_cell(false);
+    EXPECT_GT(even, 0.05f);
+    EXPECT_LT(even, 0.2f);
+    EXPECT_GT(relative_error_of_cell(true), 2 * even);
+}
+
 }  // namespace
 }  // namespace brewster

@@ -62,6 +62,65 @@ TEST(PictureOf, ReplicasTellTheError) {
     EXPECT_NEAR(variance_of(4.4f, 3.6f), 0.0625f + 0.01f, 1e-4f);  // ((4.4 - 3.6)/4)^2/4
 }
 
+/// 7 x 7 pixels of radiance 1 whose replicas differ by 2 spread, so that their draws err by spread; the bins alone are off by
+/// `apart` and say `stated`.
+std::vector<PixelSum> pixels_beside_bins(float spread, float apart, float stated) {
+    std::vector<PixelSum> pixels(49);
+    for (PixelSum& pixel : pixels) {
+        pixel.draws = 8;
+        pixel.alone_draws = 4;
+        pixel.alone_known = true;
+        for (std::size_t value = 0; value < plane_values; ++value) {
+            pixel.sums[0][value] = 4 * (1 + spread);
+            pixel.sums[1][value] = 4 * (1 - spread);
+            pixel.squares[value] = 8 * 1.25f;
+            pixel.alone[value] = 4 * (1 + apart);
+        }
+        pixel.alone_error.fill(4 * stated);
+    }
+    return pixels;
+}
+
+/// Bins as good as they say get what leaves the least error; those that are off by more than the draws do not.
+TEST(SharesOfBins, FollowWhatBothErrBy) {
+    const auto share = [](float spread, float apart, float stated) {
+        return shares_of_bins(pixels_beside_bins(spread, apart, stated), 7, 7)[24].share;
+    };
+    EXPECT_NEAR(share(0.3f, 0.3f, 0.1f), 0.9f, 1e-4f);    // .09 / (.09 + .01)
+    EXPECT_NEAR(share(0.1f, 0.1f, 0.3f), 0.1f, 1e-4f);    // .01 / (.01 + .09)
+    EXPECT_NEAR(share(0.1f, 0.5f, 0.01f), 0.04f, 1e-4f);  // .01 / .25: what is stated is not believed
+    EXPECT_EQ(share(0, 0.5f, 0.1f), 0);
+}
+
+TEST(SharesOfBins, APixelsOwnDrawsDoNotCount) {
+    std::vector<PixelSum> pixels = pixels_beside_bins(0.3f, 0.3f, 0.1f);
+    const float before = shares_of_bins(pixels, 7, 7)[24].share;
+    pixels[24].sums[0].fill(100);
+    EXPECT_NEAR(shares_of_bins(pixels, 7, 7)[24].share, before, 1e-3f);
+    EXPECT_GT(shares_of_bins(pixels, 7, 7)[25].share, 0.99f);  // a neighbour takes the draws to scatter
+}
+
+TEST(SharesOfBins, NoneWhereNoDrawMetGlossOrOneDrawTellsNoError) {
+    std::vector<PixelSum> pixels = pixels_beside_bins(0.3f, 0.3f, 0.1f);
+    pixels[3].alone_known = false;
+    pixels[4].draws = 1;
+    const std::vector<BinsShare> shares = shares_of_bins(pixels, 7, 7);
+    EXPECT_EQ(shares[3].share, 0);
+    EXPECT_EQ(shares[4].share, 0);
+    EXPECT_GT(shares[5].share, 0.5f);
+}
+
+/// Light and variance of the mixture: .1 of the draws' 1 and .9 of the bins' 1.3; .01 of .09 and .81 of .01.
+TEST(PictureOf, TakesItsShareFromTheBinsAlone) {
+    const StokesPicture picture = picture_of(pixels_beside_bins(0.3f, 0.3f, 0.1f), 7, 7);
+    EXPECT_NEAR(picture.of(Plane::s0)[24].x, 1.27f, 1e-4f);
+    EXPECT_NEAR(picture.of(Plane::s2)[24].y, 1.27f, 1e-4f);
+    EXPECT_NEAR(picture.variance_of(Plane::s0)[24].x, 0.01f * 0.09f + 0.81f * 0.01f, 1e-4f);
+    const PictureError error = error_of(pixels_beside_bins(0.3f, 0.3f, 0.1f), 7, 7);
+    EXPECT_NEAR(error.draws, 0.01 * 0.09, 1e-5);
+    EXPECT_NEAR(error.bins, 0.81 * 0.01, 1e-5);
+}
+
 /// Two pixels of radiance 1 and 2 in every band: relative squares ((4.4 - 3.6)/4)^2/4 and a quarter of that, halved by the
 /// mean; likewise bins known to .25.
 TEST(ErrorOf, IsRelativeToEachPixel) {
@@ -75,10 +134,10 @@ TEST(ErrorOf, IsRelativeToEachPixel) {
             pixels[p].error[band] = 8 * 0.25f;
         }
     }
-    const PictureError error = error_of(pixels);
+    const PictureError error = error_of(pixels, 2, 1);
     EXPECT_NEAR(error.draws, 0.01 * (1 + 0.25) / 2, 1e-5);
     EXPECT_NEAR(error.bins, 0.0625 * (1 + 0.25) / 2, 1e-4);
-    EXPECT_EQ(error_of(std::vector<PixelSum>(4)).draws, 0);
+    EXPECT_EQ(error_of(std::vector<PixelSum>(4), 2, 2).draws, 0);
 }
 
 }  // namespace
