@@ -1,8 +1,7 @@
-#include <malloc.h>
-
 #include <glm/vec2.hpp>
 
 #include "app/clock.h"
+#include "app/memory.h"
 #include "app/trace.h"
 #include "app/verbs.h"
 #include "app/viewer.h"
@@ -14,16 +13,6 @@ namespace brewster {
 namespace {
 
 constexpr glm::ivec2 first_window_size{1280, 800};
-
-// A window makes an engine anew with every change, whose tallies take many megabytes. glibc would keep such blocks in its
-// heaps once they were freed, where what lives longer leaves holes between them, so that a window grew by megabytes a
-// minute. Blocks of a megabyte have pages of their own now, which the system gets back at once.
-void give_back_large_blocks() {
-#ifdef __GLIBC__
-    mallopt(M_MMAP_THRESHOLD, 1 << 20);
-    mallopt(M_TRIM_THRESHOLD, 8 << 20);
-#endif
-}
 
 /// Null where no window can be opened; `obstacle` then says why.
 std::unique_ptr<Window> open_window(const Scene& scene, std::string& obstacle) {
@@ -42,7 +31,7 @@ void open_scene(const OpenOptions& options) {
     const std::shared_ptr<const Scene> scene = load_scene(options.scene, options.settings);
     std::string obstacle = "--headless was asked for";
     if (!options.headless) {
-        give_back_large_blocks();
+        keep_large_blocks_apart();
         if (const std::unique_ptr<Window> window = open_window(*scene, obstacle)) {
             Viewer viewer(*window, scene, options, started);
             if (!viewer.run()) throw Error("it found what it did not expect", options.replay, "see its report");

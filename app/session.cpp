@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/clock.h"
+#include "app/memory.h"
 
 namespace brewster {
 namespace {
@@ -98,6 +99,7 @@ void Session::retire(std::unique_ptr<Engine> engine) {
     retiring_.push_back(std::async(std::launch::async, [old = std::move(engine), saving = saving_]() mutable {
         if (saving.valid()) saving.wait();
         old.reset();
+        give_back_free_pages();
     }));
 }
 
