@@ -71,6 +71,7 @@ void add_draws(const LevelLight& seen, const BinsAlone& alone, int components, s
             pixel.alone[first_unpolarized + band] +=
                 components > 1 ? light.unpolarized[band][i] : light.stokes[band][i];
             pixel.alone_error[band] += light.error[band][i];
+            pixel.alone_polarized_error[band] += light.polarized_error[band][i];
         }
     }
     std::array<std::array<double, plane_values>, 2> sums{};
@@ -119,9 +120,16 @@ std::vector<BinsShare> shares_of_bins(const std::vector<PixelSum>& pixels, int w
     const auto known = [](const PixelSum& pixel) { return pixel.alone_known && pixel.draws > 1; };
     if (std::none_of(pixels.begin(), pixels.end(), known)) return shares;
     std::vector<float> of_draws(pixels.size()), apart(pixels.size()), stated(pixels.size());
+    std::vector<float> polarized(pixels.size()), counted(pixels.size());
     for (std::size_t p = 0; p < pixels.size(); ++p) {
         const PixelSum& pixel = pixels[p];
         if (!known(pixel)) continue;
+        counted[p] = 1;
+        for (std::size_t value = band_count; value < first_unpolarized; ++value) {
+            const float difference = pixel.mean(value) - pixel.alone_mean(value);
+            polarized[p] += difference * difference - replica_variance(pixel, static_cast<double>(pixel.sums[0][value]),
+                                                                       static_cast<double>(pixel.sums[1][value]));
+        }
         for (const std::size_t first : {std::size_t{0}, first_unpolarized}) {
             for (std::size_t band = 0; band < band_count; ++band) {
                 const std::size_t value = first + band;
@@ -136,11 +144,15 @@ std::vector<BinsShare> shares_of_bins(const std::vector<PixelSum>& pixels, int w
     }
     const BoxSums pooled(width, height, tile_pixels);
     const std::vector<float> draws_pool = pooled(of_draws), apart_pool = pooled(apart), stated_pool = pooled(stated);
+    const std::vector<float> polarized_pool = pooled(polarized), counted_pool = pooled(counted);
+    constexpr auto polarized_values = static_cast<float>(first_unpolarized - band_count);
     for (std::size_t p = 0; p < pixels.size(); ++p) {
         if (!known(pixels[p])) continue;
         const float draws = draws_pool[p] - of_draws[p];
         const float bins = std::max(stated_pool[p] - stated[p], apart_pool[p] - apart[p] - draws);
-        if (draws > 0 && bins > 0) shares[p] = {draws / (draws + bins), bins / draws};
+        if (!(draws > 0 && bins > 0)) continue;
+        shares[p] = {draws / (draws + bins), bins / draws,
+                     std::max(polarized_pool[p], 0.0f) / (polarized_values * counted_pool[p])};
     }
     return shares;
 }
@@ -178,7 +190,7 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
                 auto& variance = value < plane_values ? picture.variance[plane] : picture.difference_variance;
                 const auto [a, b] = sums_of(pixel, value);
                 const double mean = (a + b) / pixel.draws;
-                const auto [share, ratio] = shares[p];
+                const auto [share, ratio, polarized] = shares[p];
                 if (value < plane_values) {
                     auto& light = picture.light[plane][p][band];
                     light = static_cast<float>(mean);
@@ -196,8 +208,13 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
                                        : group == 2 ? pixel.unpolarized_error[b_index]
                                                     : pixel.error[b_index] - pixel.unpolarized_error[b_index]) /
                                       static_cast<float>(pixel.draws);
+                float of_bins_alone = ratio * of_draws;
+                if (group == 1 && share > 0) {  // cells may lie where draws hardly scatter
+                    const float said = pixel.alone_polarized_error[b_index] / static_cast<float>(pixel.alone_draws);
+                    of_bins_alone = std::max({of_bins_alone, polarized, said * said});
+                }
                 variance[p][band] =
-                    (1 - share) * (1 - share) * (of_draws + of_bins * of_bins) + share * share * ratio * of_draws;
+                    (1 - share) * (1 - share) * (of_draws + of_bins * of_bins) + share * share * of_bins_alone;
             }
         }
     }

@@ -23,7 +23,7 @@ struct PixelSum {
     std::uint32_t alone_draws = 0;
     bool alone_known = false;
     std::array<float, plane_values> alone{};
-    std::array<float, band_count> alone_error{};  ///< of s0
+    std::array<float, band_count> alone_error{}, alone_polarized_error{};  ///< of s0; of each of s1, s2, s3
 
     float mean(std::size_t value) const { return (sums[0][value] + sums[1][value]) / static_cast<float>(draws); }
     float alone_mean(std::size_t value) const { return alone[value] / static_cast<float>(alone_draws); }
@@ -39,8 +39,9 @@ void add_draws(const LevelLight& seen, const BinsAlone& alone, int components, s
 
 /// How much of each pixel's light is taken from the bins alone, and by how much their squared error exceeds the draws'.
 struct BinsShare {
-    float share = 0;  ///< 0 .. 1
-    float ratio = 0;  ///< squared error of bins alone over that of the draws
+    float share = 0;      ///< 0 .. 1
+    float ratio = 0;      ///< squared error of bins alone over that of the draws
+    float polarized = 0;  ///< squared error of one of s1, s2, s3 of bins alone, as they differ from the draws
 };
 
 /// The share that leaves the least squared error, draws^2 / (draws^2 + bins^2). The draws' error is the replicas'; that
