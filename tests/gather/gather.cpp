@@ -162,6 +162,8 @@ TEST(Gather, VariancesAreHonest) {
     constexpr int seeds = 24, width = 32, height = 24;
     auto exact_bins = std::make_shared<Snapshot>(*room().bins);
     for (std::size_t texel = 0; texel < exact_bins->leaves.size(); ++texel) exact_bins->leaves[texel].w = 0;
+    for (std::size_t texel = 0; texel < exact_bins->gloss.leaves.size(); ++texel)
+        if (texel % BREWSTER_GLOSS_FIELD_TEXELS < band_count) exact_bins->gloss.leaves[texel].w = 0;
     constexpr std::array<Plane, 3> planes = {Plane::s0, Plane::s1, Plane::unpolarized};
     std::array<std::vector<double>, 3> sums, squares;
     std::array<double, 3> stated{};
