@@ -126,7 +126,7 @@ StokesPicture Gather::picture() const {
 }
 
 PictureError Gather::error() const {
-    return error_of(pixels_, width_, height_);
+    return error_of(pixels_);
 }
 
 double Gather::coarse_share() const {

@@ -223,8 +223,7 @@ StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int hei
     return picture;
 }
 
-PictureError error_of(const std::vector<PixelSum>& pixels, int width, int height) {
-    const std::vector<BinsShare> shares = shares_of_bins(pixels, width, height);
+PictureError error_of(const std::vector<PixelSum>& pixels) {
     const auto radiance_of = [](const PixelSum& pixel) {
         double sum = 0;
         for (std::size_t band = 0; band < band_count; ++band) sum += static_cast<double>(pixel.mean(band));
@@ -239,8 +238,7 @@ PictureError error_of(const std::vector<PixelSum>& pixels, int width, int height
     PictureError error;
     if (!(mean > 0)) return error;
     const double dark = dark_share * mean / count;
-    for (std::size_t p = 0; p < pixels.size(); ++p) {
-        const PixelSum& pixel = pixels[p];
+    for (const PixelSum& pixel : pixels) {
         if (pixel.draws == 0) continue;
         double a = 0, b = 0, of_bins = 0;
         for (std::size_t band = 0; band < band_count; ++band) {
@@ -250,10 +248,8 @@ PictureError error_of(const std::vector<PixelSum>& pixels, int width, int height
         }
         of_bins /= pixel.draws;
         const double radiance = radiance_of(pixel), scale = radiance * radiance + dark * dark;
-        const double share = static_cast<double>(shares[p].share), ratio = static_cast<double>(shares[p].ratio);
-        const double of_draws = static_cast<double>(replica_variance(pixel, a, b)), rest = (1 - share) * (1 - share);
-        error.draws += rest * of_draws / scale / count;
-        error.bins += (rest * of_bins * of_bins + share * share * ratio * of_draws) / scale / count;
+        error.draws += static_cast<double>(replica_variance(pixel, a, b)) / scale / count;
+        error.bins += of_bins * of_bins / scale / count;
     }
     return error;
 }

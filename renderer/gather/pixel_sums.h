@@ -55,13 +55,13 @@ std::vector<BinsShare> shares_of_bins(const std::vector<PixelSum>& pixels, int w
 /// are known to within their own value. Where few draws of gloss err by more than bins alone, these have their share.
 StokesPicture picture_of(const std::vector<PixelSum>& pixels, int width, int height);
 
-/// Squared relative errors of the band-mean radiance (polarized world), mean over the pixels; radiance counts as 1 % of the
-/// picture's mean at least.
+/// What draws err by without the bins' share: what more draws mend. Squared relative errors of the band-mean radiance
+/// (polarized world), mean over the pixels; radiance counts as 1 % of the picture's mean at least.
 struct PictureError {
     double draws = 0;  ///< as the replicas differ
     double bins = 0;   ///< that the bins lend
 };
-PictureError error_of(const std::vector<PixelSum>& pixels, int width, int height);
+PictureError error_of(const std::vector<PixelSum>& pixels);
 
 /// How much the draws' error counts at each pixel: the squared difference of the replicas' band-mean s0 and unpolarized
 /// radiance relative to the radiance, pooled over 7 x 7 pixels without the pixel itself. So draws that a pixel is given by
