@@ -1,29 +1,86 @@
 #include "gather/bin_light.h"
 
+#include <algorithm>
+
 #include "bins/direction_map.h"
 #include "bins/lookup.h"
 
 namespace brewster {
+namespace {
 
-void read_entered(const Snapshot& bins, const Level& level, std::uint32_t first, std::uint32_t end,
-                  DirectLight direct_light, Entered& entered) {
+/// Of all that enters there. A ray costs time and scatters: where bins err by less, or hardly more than they do
+/// everywhere, a few draws of it mend less than that.
+float tolerated_error(const Snapshot& bins) {
+    return std::max(0.02f, 1.2f * static_cast<float>(bins.relative_error));
+}
+
+float band_sum(const glm::vec3& bands) {
+    return bands.x + bands.y + bands.z;
+}
+
+/// Polarized world, then unpolarized.
+using BothWorlds = std::array<lookup::BinValue, 2>;
+
+BothWorlds read_direct(const Snapshot& bins, const Level& level, std::uint32_t i) {
+    const auto read = [&](int world) {
+        return lookup::look_up(bins, bins.charts[level.chart[i]].direct_root, bins.direct_offset(world), level.u[i],
+                               level.v[i]);
+    };
+    return {read(0), read(1)};
+}
+BothWorlds read_indirect(const Snapshot& bins, const Level& level, std::uint32_t i) {
+    const auto read = [&](int world) {
+        return lookup::look_up(bins, bins.charts[level.chart[i]].indirect_root, bins.indirect_offset(world), level.u[i],
+                               level.v[i]);
+    };
+    return {read(0), read(1)};
+}
+
+/// Light of independent errors; none of it where the pointer is null.
+void put(const BothWorlds* indirect, const BothWorlds* direct, std::uint32_t i, Entered& entered) {
+    for (std::size_t world = 0; world < 2; ++world) {
+        glm::vec3 value(0.0f), variance(0.0f);
+        for (const BothWorlds* part : {indirect, direct}) {
+            if (!part) continue;
+            const lookup::BinValue& read = (*part)[world];
+            value += read.value;
+            variance += read.standard_error * read.standard_error;
+        }
+        for (int band = 0; band < band_count; ++band) {
+            const auto b = static_cast<std::size_t>(band);
+            entered.value[world][b][i] = value[band];
+            entered.error[world][b][i] = std::sqrt(variance[band]);
+        }
+    }
+}
+
+}  // namespace
+
+void read_all_entered(const Snapshot& bins, const Level& level, std::uint32_t first, std::uint32_t end,
+                      Entered& entered) {
     for (std::uint32_t i = first; i < end; ++i) {
-        const ChartBins& chart = bins.charts[level.chart[i]];
-        const std::uint32_t u = level.u[i], v = level.v[i];
-        for (int world = 0; world < 2; ++world) {
-            const auto w = static_cast<std::size_t>(world);
-            const auto indirect = lookup::look_up(bins, chart.indirect_root, bins.indirect_offset(world), u, v);
-            glm::vec3 value = indirect.value, variance = indirect.standard_error * indirect.standard_error;
-            if (direct_light == DirectLight::always || level.reads_direct[i] > 0) {
-                const auto direct = lookup::look_up(bins, chart.direct_root, bins.direct_offset(world), u, v);
-                value += direct.value;
-                variance += direct.standard_error * direct.standard_error;
-            }
-            for (int band = 0; band < band_count; ++band) {
-                const auto b = static_cast<std::size_t>(band);
-                entered.value[w][b][i] = value[band];
-                entered.error[w][b][i] = std::sqrt(variance[band]);
-            }
+        const BothWorlds indirect = read_indirect(bins, level, i), direct = read_direct(bins, level, i);
+        put(&indirect, &direct, i, entered);
+    }
+}
+
+void read_entered(const Snapshot& bins, std::uint32_t first, std::uint32_t end, Level& level, Entered& entered) {
+    const float most_error = tolerated_error(bins);
+    for (std::uint32_t i = first; i < end; ++i) {
+        const BothWorlds indirect = read_indirect(bins, level, i);
+        const float light = band_sum(indirect[0].value);
+        if (level.reads_direct[i] > 0) {
+            const BothWorlds direct = read_direct(bins, level, i);
+            const bool errs = band_sum(direct[0].standard_error) > most_error * (light + band_sum(direct[0].value));
+            if (level.doubts[i] != 0 && errs) level.reads_direct[i] = 0;
+            level.gathers[i] = 0;
+            put(&indirect, level.reads_direct[i] > 0 ? &direct : nullptr, i, entered);
+        } else {
+            const float error = band_sum(indirect[0].standard_error);
+            const bool errs = level.doubts[i] != 0 && error > most_error * light &&
+                              error > most_error * (light + band_sum(read_direct(bins, level, i)[0].value));
+            level.gathers[i] = level.gathers[i] != 0 && errs ? 1 : 0;
+            put(level.gathers[i] == 0 ? &indirect : nullptr, nullptr, i, entered);
         }
     }
 }

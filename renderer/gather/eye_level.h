@@ -72,6 +72,7 @@ struct Segment {
     std::uint8_t way = 0;      ///< of the parent's: first or second
     std::uint8_t rough = 0, sharp = 0;  ///< events so far
     bool parted = false;                ///< the draw has another ray as well
+    bool gathers = false;               ///< for a base whose direct light is known: sees no lamps, ends in the bins
 };
 
 /// Light along the rays of a level, cd/m2, both worlds, in the frames of the rays' axes; and standard errors that the
@@ -103,9 +104,11 @@ struct Level {
     std::array<std::uint32_t, most_rays> parent, draw, chart, triangle, u, v;
     std::array<std::uint32_t, most_rays> parent_way;  ///< of the parent's rows of ways
     std::array<std::uint8_t, most_rays> sharp_events;
+    std::array<std::uint8_t, most_rays> doubts;   ///< 1 where rays take the place of bins that err by much
+    std::array<std::uint8_t, most_rays> gathers;  ///< 1 where one may, then where one does gather the indirect light
     std::array<float, most_rays> eagerness;  ///< to follow both ways at glass (Draw); 0 where the path may not part
     std::array<float, most_rays> rough_events, throughput;
-    std::array<float, most_rays> reads_direct;  ///< 1 where the bins tell direct light, too; 0 where shadow rays do
+    std::array<float, most_rays> reads_direct;  ///< 1 where the bins tell direct light, too, 0 where shadow rays do
     Rows<3> direction, axis, position, normal, shading_normal;
     Rows<3> tint;         ///< what the base's light is multiplied by; of coloured scenes only
     Rows<3> filter_axis;  ///< of filter sheets only

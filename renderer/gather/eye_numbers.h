@@ -13,7 +13,7 @@ struct EyeNumbers {
 };
 
 /// Dimensions: where in the pixel; then at each vertex the point on the lamps, the facet, and the rest of a facet (or a
-/// choice) with a second choice.
+/// choice) with a second choice. Far beyond all of these: where a base's indirect light is gathered.
 inline constexpr std::uint32_t place_dimension = 0;
 inline constexpr std::uint32_t lamp_dimension(std::uint32_t vertex) {
     return 1 + 3 * vertex;
@@ -23,6 +23,9 @@ inline constexpr std::uint32_t facet_dimension(std::uint32_t vertex) {
 }
 inline constexpr std::uint32_t choice_dimension(std::uint32_t vertex) {
     return 3 + 3 * vertex;
+}
+inline constexpr std::uint32_t exit_dimension(std::uint32_t vertex) {
+    return 0x10000 + vertex;
 }
 
 /// Two numbers in [0, 1) of the draw `index` of a sequence.

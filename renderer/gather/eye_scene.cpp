@@ -17,6 +17,11 @@ bool has_polarized_lamps(const Scene& scene) {
                        [](const Lamp& lamp) { return lamp.polarization != glm::vec3(0.0f); });
 }
 
+bool ends_in_bins_anywhere(const Scene& scene) {
+    return std::none_of(scene.materials.begin(), scene.materials.end(),
+                        [](const Material& m) { return m.beyond_bins(); });
+}
+
 }  // namespace
 
 EyeScene::EyeScene(const Scene& whole)
@@ -26,6 +31,7 @@ EyeScene::EyeScene(const Scene& whole)
       materials(prepare_materials(whole.materials)),
       components(needs_of(whole).stokes > 1 || has_polarized_lamps(whole) ? 4 : 1),
       coloured(is_coloured(whole)),
-      polarized_lamps(has_polarized_lamps(whole)) {}
+      polarized_lamps(has_polarized_lamps(whole)),
+      ends_anywhere(ends_in_bins_anywhere(whole)) {}
 
 }  // namespace brewster

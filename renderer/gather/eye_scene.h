@@ -19,6 +19,7 @@ struct EyeScene {
     const int components;        ///< of the Stokes vectors that a camera can see: 1, or all 4
     const bool coloured;         ///< some base has another albedo from place to place
     const bool polarized_lamps;  ///< some lamp's own light is polarized
+    const bool ends_anywhere;    ///< the bins tell all light everywhere: no mirror, no glass, no very sharp gloss
 };
 
 }  // namespace brewster

@@ -96,7 +96,9 @@ class EyeTracer::Batch {
         s_.next_segments.clear();
         for (const Group& group : level.groups) {
             const PreparedMaterial& material = scene_.materials[group.material];
-            if (material.diffuse()) light_from_bins(material, level, group, DirectLight::where_wanted, level.light);
+            if (!material.diffuse()) continue;
+            read_entered(bins_, group.first, group.end, level, s_.entered);
+            light_of_entered(material, level, group, level.light);
         }
         clock.lap(EyeStage::bins);
         if (scene_.lamps.any())
@@ -133,7 +135,10 @@ class EyeTracer::Batch {
             bool any = false;
             for (std::uint32_t i = group.first; i < group.end; ++i) any = any || wanted(i);
             if (!any) continue;
-            if (material.diffuse()) light_from_bins(material, first, group, DirectLight::always, s_.alone);
+            if (material.diffuse()) {
+                read_all_entered(bins_, first, group.first, group.end, s_.entered);
+                light_of_entered(material, first, group, s_.alone);
+            }
             for (std::uint32_t i = group.first; i < group.end; ++i) {
                 if (!wanted(i)) continue;
                 add_gloss_of_bins<components>(scene_.scene, bins_, first, s_.alone, i);
@@ -182,12 +187,15 @@ class EyeTracer::Batch {
             level.draw[i] = segment.draw;
             level.rough_events[i] = segment.rough;
             level.sharp_events[i] = segment.sharp;
+            const bool doubts = draws_[segment.draw].doubts;
+            level.doubts[i] = doubts ? 1 : 0;
+            level.gathers[i] = doubts && segment.rough == 0 && scene_.ends_anywhere ? 1 : 0;
             level.throughput[i] = segment.throughput;
             level.reads_direct[i] = segment.rough > 0 || level.ends_in_bins(i) ? 1.0f : 0.0f;
             store_vector(eye_vector(segment.ray.direction), level.direction, i);
             store_vector(segment.axis, level.axis, i);
             if (hit.chart == no_chart) {
-                if (hit.escaped()) add_discs(segment, level.light, i);
+                if (hit.escaped() && !segment.gathers) add_discs(segment, level.light, i);
                 continue;
             }
             level.chart[i] = hit.chart;
@@ -198,7 +206,8 @@ class EyeTracer::Batch {
             store_vector(eye_vector(hit.normal), level.normal, i);
             store_vector(eye_vector(hit.shading_normal), level.shading_normal, i);
             const PreparedMaterial& material = scene_.materials[scene.charts[hit.chart].material];
-            if (material.emission != glm::vec3(0.0f)) add_emission(segment, hit, material, level.light, i);
+            if (material.emission != glm::vec3(0.0f) && !segment.gathers)
+                add_emission(segment, hit, material, level.light, i);
             if (material.filter != FilterKind::none)
                 store_vector(single_vector(filter_axis(material, scene.charts[hit.chart])), level.filter_axis, i);
             if (scene_.coloured && material.diffuse()) {
@@ -271,9 +280,7 @@ class EyeTracer::Batch {
         });
     }
 
-    void light_from_bins(const PreparedMaterial& material, const Level& level, const Group& group,
-                         DirectLight direct_light, LevelLight& light) {
-        read_entered(bins_, level, group.first, group.end, direct_light, s_.entered);
+    void light_of_entered(const PreparedMaterial& material, const Level& level, const Group& group, LevelLight& light) {
         over(group, [&]<class Real>(std::uint32_t i) {
             add_base<components, Real>(material, scene_.coloured, s_.entered, level, light, i);
         });
@@ -282,6 +289,7 @@ class EyeTracer::Batch {
     void go_on_from(Level& level, const Group& group, std::uint32_t vertex) {
         const PreparedMaterial& material = scene_.materials[group.material];
         const bool transparent = material.base == Base::transparent;
+        if (material.diffuse()) gather_from(level, group, vertex);
         if (!transparent && !material.reflects()) return;
         s_.numbers.draw(level, group, facet_dimension(vertex), s_.events.facet_u, s_.events.facet_v);
         s_.numbers.draw(level, group, choice_dimension(vertex), s_.events.choice, s_.events.slope);
@@ -298,6 +306,23 @@ class EyeTracer::Batch {
                 add_gloss_of_bins<components>(scene_.scene, bins_, level, level.light, i);
             } else {
                 next_segment(level, i, 0);
+            }
+        }
+    }
+
+    // On the second way: only glass has two of its own.
+    void gather_from(Level& level, const Group& group, std::uint32_t vertex) {
+        const auto first = level.gathers.begin() + group.first, end = level.gathers.begin() + group.end;
+        if (std::find(first, end, 1) == end) return;
+        s_.numbers.draw(level, group, exit_dimension(vertex), s_.events.exit_u, s_.events.exit_v);
+        over(group, [&]<class Real>(std::uint32_t i) {
+            go_into_base<Real>(scene_.materials[group.material], scene_.coloured, s_.events, level, s_.onwards[1], i);
+        });
+        for (std::uint32_t i = group.first; i < group.end; ++i) {
+            if (level.gathers[i] == 0) continue;
+            if (Segment* next = next_segment(level, i, 1)) {
+                next->rough = most_rough_events;
+                next->gathers = true;
             }
         }
     }

@@ -17,6 +17,9 @@ struct Draw {
     /// so many times its share as probability. Where little is reflected, following it always costs more than it tells;
     /// but one draw alone looks best so. 0: one of both.
     float eagerness = 4;
+    /// Where the bins err by much of a surface's light, rays take their place: one that gathers the indirect light of
+    /// what is seen, and shadow rays for what a lobe or such a ray meets.
+    bool doubts = false;
     bool reads_bins = false;  ///< what the bins alone say is wanted, too, where the draw meets rough gloss first
 };
 
@@ -34,8 +37,9 @@ using EyeStageSeconds = std::array<double, eye_stage_count>;
 /// Follows rays from the eye until they end in the bins, a batch of draws at a time: direct light by shadow rays,
 /// indirect light from the bins; one ray for the gloss of any width, with multiple importance sampling against the
 /// lamps; mirrors, and at glass both what it reflects and what it lets through. What a rough lobe meets is read from the
-/// bins, direct and indirect. One per thread. What a draw sees depends on its numbers alone, not on the others of its
-/// batch. What it never finds: the gloss of a lamp without extent that shines there by way of glass or a mirror.
+/// bins, direct and indirect. Draws may doubt what the bins say of contacts and shadows (Draw::doubts). One per thread.
+/// What a draw sees depends on its numbers alone, not on the others of its batch. What it never finds: the gloss of a lamp
+/// without extent that shines there by way of glass or a mirror.
 class EyeTracer {
   public:
     EyeTracer();

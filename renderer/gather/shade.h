@@ -131,7 +131,7 @@ struct Onwards {
 
 /// Numbers of the events of a level.
 struct EventNumbers {
-    std::array<float, most_rays> facet_u, facet_v, choice, slope;
+    std::array<float, most_rays> facet_u, facet_v, choice, slope, exit_u, exit_v;
 };
 
 template <class Real>
@@ -165,6 +165,22 @@ void take_way(const ScatterSample<Real, band_count>& sample, std::size_t way, Le
     const auto right_side = (side > 0 && !sample.refracted) || (!(side > 0) && sample.refracted);
     store(select(sample.alive && right_side, share, Real(0)), &onwards.share[i]);
     store(select(sample.sharp, Real(1), Real(0)), &onwards.sharp[i]);
+}
+
+/// Samples where light of the base comes from, by the cosine, as the second way on.
+template <class Real>
+void go_into_base(const PreparedMaterial& material, bool tinted, const EventNumbers& numbers, Level& level,
+                  Onwards& onwards, std::size_t i) {
+    const SurfacePoint<Real> at = surface_point<Real>(material, false, level, i);
+    ScatterNumbers<Real> drawn;
+    drawn.exit_u = load<Real>(&numbers.exit_u[i]);
+    drawn.exit_v = load<Real>(&numbers.exit_v[i]);
+    const PlaneOfIncidence<Real> plane = plane_of_incidence(-at.towards, at.carried_axis, at.normal);
+    auto sample = bsdf_detail::sample_base<Use::eye, band_count>(material, at, plane, drawn);
+    if (tinted)
+        for (std::size_t band = 0; band < band_count; ++band)
+            sample.weight[band] = load<Real>(&level.tint[band][i]) * sample.weight[band];
+    take_way(sample, 1, level, onwards, i);
 }
 
 /// Both ways of a path that parts: the stronger one always, the weaker one with `eagerness` times its share as
