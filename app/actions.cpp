@@ -207,12 +207,12 @@ void Viewer::act(Action action, int argument) {
     must_present_ = true;
     switch (action) {
         case Action::polarization:
-            if (view_.split) return notice("the split shows polarization on and off; V ends it");
-            rendition.polarization = !rendition.polarization;
-            break;
         case Action::compare:
             if (view_.split) return notice("the split shows polarization on and off; V ends it");
-            comparing_ = true;
+            if (action == Action::compare)
+                comparing_ = true;
+            else
+                rendition.polarization = !rendition.polarization;
             break;
         case Action::split:
             view_.split = !view_.split;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/newer_bins.h"
 #include "app/window.h"
 #include "base/priority.h"
 #include "base/threads.h"
@@ -19,8 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t first_draws_of_smooth = 16, first_draws_of_sharp = 4;
 // Shares are rounded, so that the mean is not exactly what was asked for.
 constexpr double settled_draws = 0.9 * Gatherer::full_draws, last_draws = 0.9 * Gatherer::most_draws;
-constexpr std::uint64_t far_better = 4;  // times as many photons
-constexpr int shares_of_leisure = 12;    // one for the eye, the others for the photons
+constexpr int shares_of_leisure = 12;  // one for the eye, the others for the photons
 
 bool has_gloss_or_glass(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {

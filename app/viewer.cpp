@@ -27,7 +27,7 @@ constexpr double seconds_between_numbers = 1;      // where nothing but the pane
 constexpr double gather_after = 0.3;               // seconds without motion
 constexpr double gather_bins_after = 2;            // seconds after their first photons
 constexpr std::size_t tiles_in_a_frame =
-    Picture::frame_bytes / (Gather::tile_side * Gather::tile_side * GatheredLight::pixel_bytes);
+    Picture::frame_bytes / (tile_pixels * tile_pixels * GatheredLight::pixel_bytes);
 constexpr double seconds_between_file_looks = 1;
 constexpr double seconds_between_snapshots = 0.5;
 /// A frame that takes longer than this was drawn by the processor, which the photons need too: at rest three times as

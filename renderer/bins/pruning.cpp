@@ -10,11 +10,22 @@ Pruning<D>::Pruning(const BinTree<D>& tree, const Tally<D>* pending, std::uint64
                     unsigned threads)
     : tree_(tree), pending_(pending), photons_(photons), settings_(settings), threads_(threads), nodes_(tree, threads) {
     gather_spreads();
+    if (asks_tests) pool_tally_spreads();
 }
 
 template <int D>
 bool Pruning<D>::is_pending(std::uint32_t node) const {
     return pending_ && tree_.node(node).is_leaf() && pending_->touched(tree_.node(node).leaf());
+}
+
+// Rows of the node's own test record, the running batch's included.
+template <int D>
+auto Pruning<D>::test_of(std::uint32_t node) const {
+    return [own = tree_.sums(node).test,
+            pending = is_pending(node) ? pending_->test(tree_.node(node).leaf()) : nullptr](int row) {
+        const auto i = static_cast<std::size_t>(row);
+        return to_weight(own[i] + (pending ? pending[i] : 0));
+    };
 }
 
 template <int D>
@@ -23,12 +34,7 @@ void Pruning<D>::gather_spreads() {
     spreads_.resize(tree_.node_count());
     nodes_.visit([&](std::uint32_t node) {
         Spread& spread = spreads_[node];
-        const std::span<const Wide> own = tree_.sums(node).test;
-        const Quanta* const pending = is_pending(node) ? pending_->test(tree_.node(node).leaf()) : nullptr;
-        const auto value = [&](int row) {
-            const auto i = static_cast<std::size_t>(row);
-            return to_weight(own[i] + (pending ? pending[i] : 0));
-        };
+        const auto value = test_of(node);
         spread.squares = value(Layout::squares);
         for (int r = 0; r < replica_count; ++r)
             spread.replicas[static_cast<std::size_t>(r)] = value(Layout::replicas + r);
@@ -36,6 +42,10 @@ void Pruning<D>::gather_spreads() {
         spread.add(spreads_[tree_.node(node).low_child()]);
         spread.add(spreads_[tree_.node(node).low_child() + 1]);
     });
+}
+
+template <int D>
+void Pruning<D>::pool_tally_spreads() {
     std::vector<double> variance(tree_.chart_count()), squares(tree_.chart_count());
     for (std::uint32_t node = 0; node < tree_.node_count(); ++node) {
         if (!tree_.node(node).is_leaf()) continue;
@@ -56,12 +66,7 @@ double Pruning<D>::misfit(std::uint32_t node, const FieldSums<D>& sums) const {
     const std::uint64_t end = tree_node.is_leaf() ? photons_ : tree_.cell(tree_node.low_child()).birth;
     const auto time = static_cast<double>(end - cell.birth);
     if (time <= 0) return 0;
-    const std::span<const Wide> own = tree_.sums(node).test;
-    const Quanta* const pending = is_pending(node) ? pending_->test(tree_node.leaf()) : nullptr;
-    const auto sum = [&](int row) {
-        const auto i = static_cast<std::size_t>(row);
-        return to_weight(own[i] + (pending ? pending[i] : 0));
-    };
+    const auto sum = test_of(node);
     double weight = 0, light = 0, relative = 0;
     for (int r = 0; r < replica_count; ++r) weight += sum(RecordLayout<D>::replicas + r);
     for (std::size_t b = 0; b < band_count; ++b) {
@@ -69,9 +74,9 @@ double Pruning<D>::misfit(std::uint32_t node, const FieldSums<D>& sums) const {
         relative += importance_[cell.chart][b] * sums.weight[b] * sums.weight[b] / (age(node) * age(node));
     }
     if (light <= 0) return 0;
-    const Misfit<D> found(sum, weight, null_moments<D>(cell.geometry));
-    const double noise = Misfit<D>::functions * tally_ratio_[cell.chart] * sum(RecordLayout<D>::squares);
-    return (found.energy - noise) / (cell_measure(cell) * time * time) * relative / (light * light);
+    const Deviations<D> found(sum, weight, null_moments<D>(cell.geometry));
+    const double noise = Deviations<D>::functions * tally_ratio_[cell.chart] * sum(RecordLayout<D>::squares);
+    return (found.energy() - noise) / (cell_measure(cell) * time * time) * relative / (light * light);
 }
 
 template <int D>
@@ -117,7 +122,7 @@ void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
         const std::uint32_t low = tree_.node(node).low_child(), high = low + 1;
         const double time = is_leaf ? 0 : age(low);
         const bool is_young = 2 * time < static_cast<double>(photons_);
-        if (D == 4 && is_young) unresolved_[node].fill(misfit(node, (*fields[0])[node]));
+        if (asks_tests && is_young) unresolved_[node].fill(misfit(node, (*fields[0])[node]));
         if (time <= 0) return;
         const Cell<D>& cell = tree_.cell(node);
         const LinearFit<D> parent(cell);

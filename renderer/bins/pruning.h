@@ -50,8 +50,12 @@ class Pruning {
     LeafExcess excess(std::uint32_t node, const FieldSums<D>& sums, double freedom) const;
 
   private:
+    static constexpr bool asks_tests = D == 4;  // gloss: cells whose splits are young
+
     bool is_pending(std::uint32_t node) const;
+    auto test_of(std::uint32_t node) const;
     void gather_spreads();
+    void pool_tally_spreads();
     double misfit(std::uint32_t node, const FieldSums<D>& sums) const;
     void pool_spreads();
 

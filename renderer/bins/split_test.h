@@ -34,36 +34,45 @@ struct SplitChoice {
     double power = 0;      ///< sum of weights
 };
 
-/// What the test's functions see of a cell beyond its linear fit: the integral of their part's square times the cell's
-/// measure. Were it nothing but the noise of independent photons, that would be sum w^2 for each function on the mean.
-/// `sum`: row of the test record -> its value.
+/// What a cell holds beyond its linear fit, as the test sees it: second Legendre moments, steps at the middle that a slope
+/// does not explain, interactions of two axes (their per-axis projections may be flat). Under a uniform density the second
+/// moment has variance V/5, the step V/4, the interaction V, with V = sum w^2.
 template <int D>
-struct Misfit {
+struct Deviations {
     static constexpr int functions = 2 * D + RecordLayout<D>::pair_count;
-    double energy = 0;
+    static constexpr double curve_weight = 5, step_weight = 4;  // V over their variances
+    std::array<double, D> slope{}, curve{}, step{};
+    std::array<double, RecordLayout<D>::pair_count> twist{};
 
+    /// `sum`: row of the test record -> its value; `weight`: all of the cell.
     template <class Sum>
-    Misfit(const Sum& sum, double weight, const NullMoments<D>& null) {
+    Deviations(const Sum& sum, double weight, const NullMoments<D>& null) {
         using Layout = RecordLayout<D>;
         for (int a = 0; a < D; ++a) {
             const auto i = static_cast<std::size_t>(a);
-            const double slope = sum(Layout::moments + a) - weight * null.mean[i];
-            const double curve = sum(Layout::legendre + a) - weight * null.legendre[i];
-            const double step = sum(Layout::signs + a) - weight * null.sign[i] - 1.5 * slope;
-            energy += 5 * curve * curve + 4 * step * step;
+            slope[i] = sum(Layout::moments + a) - weight * null.mean[i];
+            curve[i] = sum(Layout::legendre + a) - weight * null.legendre[i];
+            step[i] = sum(Layout::signs + a) - weight * null.sign[i] - 1.5 * slope[i];
         }
         for (int pair = 0; pair < Layout::pair_count; ++pair) {
-            const double twist =
-                sum(Layout::products + pair) - weight * null.sign_product[static_cast<std::size_t>(pair)];
-            energy += twist * twist;
+            const auto i = static_cast<std::size_t>(pair);
+            twist[i] = sum(Layout::products + pair) - weight * null.sign_product[i];
         }
+    }
+
+    /// Integral of the square of that part of the density times the cell's measure. Were it nothing but the noise of
+    /// independent photons, it would be V for each function on the mean.
+    double energy() const {
+        double sum = 0;
+        for (const double c : curve) sum += curve_weight * c * c;
+        for (const double s : step) sum += step_weight * s * s;
+        for (const double t : twist) sum += t * t;
+        return sum;
     }
 };
 
-/// Looks for what a linear cell cannot show: second Legendre moments, steps at the middle that a slope does not
-/// explain, interactions of two axes (their per-axis projections may be flat). Under a uniform density the second
-/// moment has variance V/5, the step V/4, the interaction V, with V = sum w^2. Nothing if the leaf has too few photons
-/// or no test passes settings.split_z_squared.
+/// Looks for the largest of the deviations. Nothing if the leaf has too few photons or none passes
+/// settings.split_z_squared.
 /// Side fields are tested by their second moments and steps alone, against the squares of their own bands.
 template <int D>
 std::optional<SplitChoice> choose_split(const RecordLayout<D>& layout, const CellSums& sums, const NullMoments<D>& null,
@@ -84,20 +93,16 @@ std::optional<SplitChoice> choose_split(const RecordLayout<D>& layout, const Cel
             best.z_squared = z_squared;
         }
     };
-    std::array<double, D> slope{};
-    for (int a = 0; a < D; ++a) {
-        const auto i = static_cast<std::size_t>(a);
-        slope[i] = sum(Layout::moments + a) - weight * null.mean[i];
-        consider(a, sum(Layout::legendre + a) - weight * null.legendre[i], squares / 5);
-        consider(a, sum(Layout::signs + a) - weight * null.sign[i] - 1.5 * slope[i], squares / 4);
+    const Deviations<D> found(sum, weight, null);
+    for (std::size_t a = 0; a < D; ++a) {
+        consider(static_cast<int>(a), found.curve[a], squares / Deviations<D>::curve_weight);
+        consider(static_cast<int>(a), found.step[a], squares / Deviations<D>::step_weight);
     }
-    int pair = 0;
-    for (int a = 0; a < D; ++a) {
-        for (int b = a + 1; b < D; ++b, ++pair) {
-            const int steeper =
-                std::abs(slope[static_cast<std::size_t>(a)]) >= std::abs(slope[static_cast<std::size_t>(b)]) ? a : b;
-            consider(steeper, sum(Layout::products + pair) - weight * null.sign_product[static_cast<std::size_t>(pair)],
-                     squares);
+    std::size_t pair = 0;
+    for (std::size_t a = 0; a < D; ++a) {
+        for (std::size_t b = a + 1; b < D; ++b, ++pair) {
+            const std::size_t steeper = std::abs(found.slope[a]) >= std::abs(found.slope[b]) ? a : b;
+            consider(static_cast<int>(steeper), found.twist[pair], squares);
         }
     }
     for (int side = 0; side < layout.side_fields; ++side) {
@@ -115,8 +120,9 @@ std::optional<SplitChoice> choose_split(const RecordLayout<D>& layout, const Cel
         for (int a = 0; a < D; ++a) {
             const auto i = static_cast<std::size_t>(a);
             const double side_slope = band_mean(1 + a) - side_weight * null.mean[i];
-            consider(a, sum(row + a) - side_weight * null.legendre[i], side_squares / 5);
-            consider(a, sum(row + D + a) - side_weight * null.sign[i] - 1.5 * side_slope, side_squares / 4);
+            consider(a, sum(row + a) - side_weight * null.legendre[i], side_squares / Deviations<D>::curve_weight);
+            consider(a, sum(row + D + a) - side_weight * null.sign[i] - 1.5 * side_slope,
+                     side_squares / Deviations<D>::step_weight);
         }
     }
     if (best.z_squared <= settings.split_z_squared) return std::nullopt;

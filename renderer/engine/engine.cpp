@@ -28,11 +28,6 @@ KernelChoice chosen_kernel(const Scene& scene, const std::vector<PreparedMateria
     return *settings.kernel;
 }
 
-EntryFields entry_fields(const KernelChoice& kernel, const Needs& needs) {
-    const bool two_worlds = kernel.stokes > 1;
-    return {kernel.bands, two_worlds && needs.polarized_lamps ? 2 : 1, two_worlds ? 2 : 1};
-}
-
 bool is_coloured(const Scene& scene) {
     return !scene.vertex_colors.empty() || !scene.textures.empty();
 }
@@ -71,7 +66,7 @@ Engine::Impl::Impl(std::shared_ptr<const Scene> scene_in, const EngineSettings& 
       materials(prepare_materials(scene->materials)),
       needs(needs_of(*scene)),
       kernel(chosen_kernel(*scene, materials, needs, settings)),
-      bins(outlines_of(*scene), gloss_charts_of(*scene, materials), entry_fields(kernel, needs),
+      bins(outlines_of(*scene), gloss_charts_of(*scene, materials), entry_fields_of(kernel, needs),
            GlossFields{kernel.bands, kernel.stokes}, settings.bins),
       context{*scene, rays, emission, materials, bins, settings.seed, is_coloured(*scene)} {
     if (!emission.any()) {

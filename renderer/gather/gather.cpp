@@ -52,13 +52,13 @@ bool Gather::draw_to(const std::vector<std::uint32_t>& wanted, unsigned threads,
 }
 
 int Gather::tiles() const {
-    return (width_ + tile_side - 1) / tile_side * ((height_ + tile_side - 1) / tile_side);
+    return (width_ + tile_pixels - 1) / tile_pixels * ((height_ + tile_pixels - 1) / tile_pixels);
 }
 
 Gather::TileBounds Gather::bounds(int tile) const {
-    const int columns = (width_ + tile_side - 1) / tile_side;
-    const int left = tile % columns * tile_side, top = tile / columns * tile_side;
-    return {left, top, std::min(left + tile_side, width_), std::min(top + tile_side, height_)};
+    const int columns = (width_ + tile_pixels - 1) / tile_pixels;
+    const int left = tile % columns * tile_pixels, top = tile / columns * tile_pixels;
+    return {left, top, std::min(left + tile_pixels, width_), std::min(top + tile_pixels, height_)};
 }
 
 PictureTile Gather::tile(int index) const {

@@ -36,7 +36,6 @@ class Gather {
     static constexpr std::uint32_t pilot_draws = 16;
     /// So many of a pixel's draws believe the bins (Draw::doubts): few rays in their place scatter more than they err.
     static constexpr std::uint32_t draws_before_doubts = 8;
-    static constexpr int tile_side = tile_pixels;
 
     explicit Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed = 1);
 

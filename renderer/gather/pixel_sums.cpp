@@ -14,7 +14,8 @@ constexpr std::uint32_t most_draws = 1u << 20;
 /// Sums over (2 r + 1)^2 pixels around each, cut at the borders of the picture, or of tiles.
 class BoxSums {
   public:
-    BoxSums(int width, int height, int tile = 1 << 16) : width_(width), height_(height), tile_(tile) {}
+    BoxSums(int width, int height, int tile) : width_(width), height_(height), tile_(tile) {}
+    BoxSums(int width, int height) : BoxSums(width, height, std::max(width, height)) {}
 
     std::vector<float> operator()(const std::vector<float>& values) const {
         std::vector<float> rows(values.size()), sums(values.size());

@@ -24,6 +24,11 @@ int widest_lanes() {
     return 8;
 }
 
+EntryFields entry_fields_of(const KernelChoice& choice, const Needs& needs) {
+    const bool two_worlds = choice.stokes > 1;
+    return {choice.bands, two_worlds && needs.polarized_lamps ? 2 : 1, two_worlds ? 2 : 1};
+}
+
 std::unique_ptr<PhotonTracer> make_tracer(const KernelChoice& choice, std::size_t window, int lanes) {
     BREWSTER_CHECK(
         (choice.stokes == 1 || choice.stokes == 3 || choice.stokes == 4) && (choice.bands == 1 || choice.bands == 3),

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "scene/needs.h"
 #include "transport/context.h"
 
 namespace brewster {
@@ -13,6 +14,9 @@ struct KernelChoice {
     bool gloss = false;
     bool operator==(const KernelChoice&) const = default;
 };
+
+/// What a kernel files for the bins of entered light.
+EntryFields entry_fields_of(const KernelChoice& choice, const Needs& needs);
 
 /// Follows photons from their lamps until they are absorbed, escape or lose the roulette. What a photon tallies depends
 /// on the seed and its index alone. A tracer belongs to one thread: it may keep memory from call to call, but nothing

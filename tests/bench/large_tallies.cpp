@@ -19,11 +19,6 @@ double seconds_of(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-EntryFields entry_fields_of(const Engine& engine) {
-    const bool two_worlds = engine.kernel().stokes > 1;
-    return {engine.kernel().bands, two_worlds && engine.needs().polarized_lamps ? 2 : 1, two_worlds ? 2 : 1};
-}
-
 void measure(const std::string& path, int rounds, int log2, std::uint64_t photons) {
     const auto scene = std::make_shared<const Scene>(read_scene(path));
     std::vector<std::string> digests;
@@ -45,7 +40,7 @@ void measure(const std::string& path, int rounds, int log2, std::uint64_t photon
             digests.push_back(engine.digest());
             if (round > 0 || threads > 1) continue;
             const Progress progress = engine.progress();
-            const RecordLayout<2> layout = entry_fields_of(engine).layout();
+            const RecordLayout<2> layout = entry_fields_of(engine.kernel(), engine.needs()).layout();
             const double bytes =
                 static_cast<double>(progress.leaves) * (layout.estimate_size() + layout.test_size()) * sizeof(Quanta);
             std::printf("%s: %llu leaves of position, tallies of %.2f GiB a thread\n", scene->name.c_str(),
