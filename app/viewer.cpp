@@ -34,7 +34,7 @@ constexpr double seconds_between_snapshots = 0.5;
 /// long is left to them before the next.
 constexpr double slow_frame = 0.02;                         // seconds
 constexpr double slow_present = 0.005, longest_nap = 0.02;  // seconds
-constexpr int bands_of_slow_draw = 16;
+constexpr int bands_of_slow_draw = 24;
 constexpr std::uint64_t photons_of_settled_exposure = 1000000;
 constexpr float wheel_radius = 58;  // pixels at scale 1
 
@@ -427,7 +427,18 @@ void Viewer::draw() {
     const Rendition needed = Canvas::needed(view_, comparing_);
     // At rest nobody waits for a whole draw, but somebody may come.
     const bool whole = in_motion || fresh() || !resolution_.half();
-    if (drawn) {
+    const bool running = session_.engine() && session_.engine()->progress().running;
+    const bool due = begin - last_present_ >= seconds_between();
+    const auto wants_present = [&] {
+        // What was there stays until the first draw has all of its bands.
+        if (drawn && !canvas_.settled() && picture.draws(needed) == 0) return false;
+        const bool better = improved_ && (canvas_.gathered() || picture.draws(needed) >= draws_to_present_);
+        return must_present_ || in_motion || (due && (better || running));
+    };
+    // A band and a present would keep input waiting for both; presents that follow each other leave every other turn to one.
+    const bool draws_now = drawn && (whole || band_is_overdue_ || !wants_present());
+    band_is_overdue_ = drawn && !draws_now;
+    if (draws_now) {
         const int before = picture.draws(needed);
         if (whole)
             picture.draw(1, needed);
@@ -435,19 +446,14 @@ void Viewer::draw() {
             picture.draw_band(bands_of_slow_draw, needed);
         if (picture.draws(needed) > before) improved_ = true;
     }
-    const double since = begin - last_present_;
-    const bool running = session_.engine() && session_.engine()->progress().running;
-    const bool better = improved_ && (canvas_.gathered() || picture.draws(needed) >= draws_to_present_);
-    const bool due = since >= seconds_between();
-    // What was there stays until the first draw has all of its bands.
-    const bool whole_picture = canvas_.settled() || picture.draws(needed) > 0 || !drawn;
-    if (whole_picture && (must_present_ || in_motion || (due && (better || running)))) {
+    if (wants_present()) {
         present();
     } else if (drawn) {
         picture.finish();
     }
     const double took = seconds_now() - begin;
-    pause_ = !in_motion && drawn && whole_picture && (took > slow_frame || !whole) ? 3 * took : 0;
+    const bool shown = canvas_.settled() || picture.draws(needed) > 0;
+    pause_ = !in_motion && drawn && shown && (took > slow_frame || !whole) ? 3 * took : 0;
     if (drawn && whole && !keeps_resolution_) resolution_.frame_took(took);
     if (in_motion && drawn) frame_seconds_ = took;
     // Frames of sliders could follow each other without a pause; photons that are waited for need one.

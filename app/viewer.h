@@ -134,6 +134,7 @@ class Viewer {
     bool must_present_ = true, improved_ = false, hidden_ = false;
     int draws_to_present_ = 1;
     bool presents_at_once_ = false;  ///< the bins that were taken last
+    bool band_is_overdue_ = false;   ///< of a slow draw: the turn before presented in its place
     int widget_frames_ = 2;          ///< frames that widgets still want, to answer what was done
     int shrinking_ = 1;              ///< of each side of what is drawn
     bool making_room_ = false;       ///< for the eye's rays
