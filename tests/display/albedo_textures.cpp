@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "display/picture.h"
 #include "gl_test.h"
@@ -14,8 +13,6 @@
 
 namespace brewster {
 namespace {
-
-constexpr float pi_f = std::numbers::pi_v<float>;
 
 using Color = std::array<std::uint8_t, 4>;
 
@@ -56,7 +53,8 @@ struct Board {
     std::shared_ptr<const Snapshot> even_light() const {
         auto bins = std::make_shared<Snapshot>(hand_made::empty_bins(scene));
         for (const ChartBins& chart : bins->charts)
-            bins->nodes[chart.direct_root] = hand_made::add_leaf(*bins, {pi_f, pi_f, pi_f, pi_f}, 0);
+            bins->nodes[chart.direct_root] =
+                hand_made::add_leaf(*bins, {hand_made::pi_f, hand_made::pi_f, hand_made::pi_f, hand_made::pi_f}, 0);
         return bins;
     }
 };

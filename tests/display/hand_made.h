@@ -1,12 +1,15 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <random>
 
 #include "bins/snapshot.h"
 #include "scene/scene.h"
 
 namespace brewster::hand_made {
+
+inline constexpr float pi_f = std::numbers::pi_v<float>;
 
 /// Adds a rectangle of two triangles: one corner, two edges in metres, counter-clockwise as seen from its front.
 /// Returns its front chart.

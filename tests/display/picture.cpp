@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <memory>
-#include <numbers>
 #include <random>
 
 #include "base/error.h"
@@ -21,7 +20,6 @@
 namespace brewster {
 namespace {
 
-constexpr float pi_f = std::numbers::pi_v<float>;
 constexpr float first_draw = 0.5f - 1.0f / 128;  ///< where in the pixel
 
 /// A room of 2 m x 2 m x 2 m around the origin whose walls face inwards, floor first; a lamp hangs under the ceiling.
@@ -84,9 +82,9 @@ TEST_F(PictureTest, RadianceIsEmissionAndReflectedIrradiance) {
             const auto pixel = static_cast<std::size_t>(64 * y + x);
             for (int band = 0; band < 3; ++band) {
                 const float factor = band == 0 ? 1.0f : band == 1 ? 0.5f : 0.25f;
-                const float expected = albedo[band] / pi_f * irradiance * factor;
+                const float expected = albedo[band] / hand_made::pi_f * irradiance * factor;
                 EXPECT_NEAR(image.channel(stokes_channel(0, band))[pixel], expected, 2e-6f * expected);
-                const float error = albedo[band] / pi_f * 0.5f * factor;
+                const float error = albedo[band] / hand_made::pi_f * 0.5f * factor;
                 EXPECT_NEAR(image.channel(variance_channel(0, band))[pixel], error * error, 1e-5f * error * error);
                 EXPECT_EQ(image.channel(stokes_channel(1, band))[pixel], 0);
             }
@@ -147,7 +145,7 @@ TEST_F(PictureTest, CoordinatesFollowThePerspective) {
             const std::uint32_t u = lookup::fixed_point_of(unit.x), v = lookup::fixed_point_of(unit.y);
             const float irradiance = lookup::look_up(*bins, floor_bins.direct_root, 0u, u, v).value.x +
                                      lookup::look_up(*bins, floor_bins.indirect_root, 0u, u, v).value.x;
-            const float expected = 0.8f / pi_f * irradiance;
+            const float expected = 0.8f / hand_made::pi_f * irradiance;
             const float shown = image.channel("S0.R")[static_cast<std::size_t>(width * y + x)];
             wrong += std::abs(shown - expected) > 2e-4f * expected;
         }
@@ -191,7 +189,7 @@ TEST_F(PictureTest, VarianceOfTheBinsDoesNotShrinkWithDraws) {
     picture.look(camera_at({0, 0, 0}, {0, -1, 0}, {0, 0, -1}), 16, 16);
     for (const int draws : {1, 15, 48}) {
         picture.draw(draws);
-        const float error = 0.8f / pi_f * 0.5f;
+        const float error = 0.8f / hand_made::pi_f * 0.5f;
         EXPECT_NEAR(picture.stokes().channel("V0.R")[100], error * error, 1e-4f * error * error);
     }
     EXPECT_EQ(picture.draws(), 64);
@@ -230,7 +228,7 @@ TEST_F(PictureTest, OldBinsStayUntilTheNewAreComplete) {
     }
     const auto shown = [&] {
         picture.draw();
-        return picture.stokes().channel("S0.R")[0] * pi_f / 0.8f;
+        return picture.stokes().channel("S0.R")[0] * hand_made::pi_f / 0.8f;
     };
     picture.show(bins[0]);
     EXPECT_TRUE(picture.upload());

@@ -30,12 +30,12 @@ std::shared_ptr<const Snapshot> solve(const std::shared_ptr<const Scene>& scene,
 }
 
 /// Direct and indirect light of one place, mean of the bands.
-struct Light {
+struct LightAndNoise {
     double value = 0, variance = 0;
 };
 
-Light light_at(const Snapshot& bins, std::uint32_t chart, std::uint32_t u, std::uint32_t v) {
-    Light light;
+LightAndNoise light_and_noise_at(const Snapshot& bins, std::uint32_t chart, std::uint32_t u, std::uint32_t v) {
+    LightAndNoise light;
     for (const std::uint32_t root : {bins.charts[chart].direct_root, bins.charts[chart].indirect_root}) {
         const lookup::BinValue found = lookup::look_up(bins, root, 0u, u, v);
         const auto mean = [](const glm::vec3& bands) { return static_cast<double>(bands.x + bands.y + bands.z) / 3; };
@@ -56,8 +56,8 @@ void collect_steps(const Snapshot& bins, std::uint32_t chart, std::uint32_t root
             below[axis] = node.x - 1;
             above[axis] = node.x;
             below[along] = above[along] = box.low[along] + (box.high[along] - box.low[along]) / 64 * (2 * k + 1);
-            const double a = light_at(bins, chart, below[0], below[1]).value;
-            const double b = light_at(bins, chart, above[0], above[1]).value;
+            const double a = light_and_noise_at(bins, chart, below[0], below[1]).value;
+            const double b = light_and_noise_at(bins, chart, above[0], above[1]).value;
             if (std::max(a, b) > 0) steps.push_back(std::abs(a - b) / std::max(a, b));
         }
         Box<2> low = box, high = box;
@@ -98,12 +98,12 @@ TEST(PublishedLight, CellsOnTheirOwnWouldShowTheirBorders) {
 }
 
 /// Places in the middles of a side x side grid on every chart.
-std::vector<Light> light_of(const Scene& scene, const Snapshot& bins, std::uint32_t side) {
-    std::vector<Light> light;
+std::vector<LightAndNoise> light_of(const Scene& scene, const Snapshot& bins, std::uint32_t side) {
+    std::vector<LightAndNoise> light;
     const std::uint32_t half = BREWSTER_UV_ONE / (2 * side);
     for (std::uint32_t chart = 0; chart < scene.charts.size(); ++chart)
         for (std::uint32_t i = 0; i < side * side; ++i)
-            light.push_back(light_at(bins, chart, (2 * (i % side) + 1) * half, (2 * (i / side) + 1) * half));
+            light.push_back(light_and_noise_at(bins, chart, (2 * (i % side) + 1) * half, (2 * (i / side) + 1) * half));
     return light;
 }
 
@@ -112,14 +112,14 @@ std::vector<Light> light_of(const Scene& scene, const Snapshot& bins, std::uint3
 std::vector<double> shares_within(const std::vector<double>& widths) {
     constexpr std::uint32_t side = 32;
     const auto scene = rooms::read("cornell-box.gltf");
-    const std::vector<Light> truth = light_of(*scene, *solve(scene, 99, slow ? 500'000 : 8'000'000), side);
+    const std::vector<LightAndNoise> truth = light_of(*scene, *solve(scene, 99, slow ? 500'000 : 8'000'000), side);
     const double mean = std::accumulate(truth.begin(), truth.end(), 0.0,
-                                        [](double sum, const Light& light) { return sum + light.value; }) /
+                                        [](double sum, const LightAndNoise& light) { return sum + light.value; }) /
                         static_cast<double>(truth.size());
     std::vector<double> within(widths.size());
     double places = 0;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        const std::vector<Light> light = light_of(*scene, *solve(scene, seed, slow ? 20'000 : 200'000), side);
+        const std::vector<LightAndNoise> light = light_of(*scene, *solve(scene, seed, slow ? 20'000 : 200'000), side);
         for (std::size_t i = 0; i < truth.size(); ++i) {
             if (truth[i].value < 0.1 * mean) continue;  // what boxes stand on
             const double deviations = std::abs(light[i].value - truth[i].value) / std::sqrt(light[i].variance);

@@ -12,7 +12,7 @@
 namespace brewster {
 namespace {
 
-constexpr double errors_allowed = 3.5;
+constexpr double deviations_allowed = 3.5;
 
 /// Unpolarized radiance of independent draws through one pixel.
 std::vector<double> looks(const std::shared_ptr<const Scene>& scene, const Snapshot& bins, const Camera& camera,
@@ -98,7 +98,7 @@ TEST(Doubts, LampsAreNotSeenTwice) {
         const Camera camera = looking({1.2, 0.9, 1.5}, glm::dvec3(0.0), 10);
         const std::uint32_t batches = light_test_scale == 1 ? 40 : 8;
         const PlaneMean seen = mean_of(looks(scene, *bins, camera, true, batches));
-        EXPECT_NEAR(seen.mean, 1, errors_allowed * seen.error) << material.name;
+        EXPECT_NEAR(seen.mean, 1, deviations_allowed * seen.error) << material.name;
         EXPECT_LT(seen.error, 0.05) << material.name;
         EXPECT_GT(mean_of(looks(scene, *bins, camera, false, batches)).mean, 1.5) << material.name;  // the control
     }

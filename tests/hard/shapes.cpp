@@ -10,7 +10,7 @@
 namespace brewster {
 namespace {
 
-constexpr std::uint64_t photons = slow ? 4000 : 40000;
+constexpr std::uint64_t photons_a_shape = slow ? 4000 : 40000;
 
 // Radiosity in a closed room of one albedo, whatever its shape: emitted power over area (1 - rho).
 SceneFile furnace(double albedo) {
@@ -46,7 +46,7 @@ TEST(Shapes, Slivers) {
     }
     file.triangles("floor", vertices, triangles, grey);
     file.bulb(1, {0.3, 0.4, 0.6});
-    const Solved result = solved(file, photons);
+    const Solved result = solved(file, photons_a_shape);
     EXPECT_LT(result.escaped, 1e-6);
     expect_value(result.everywhere, 4 * pi / (6 * 0.5), "slivers");
 }
@@ -55,7 +55,7 @@ TEST(Shapes, Slivers) {
 TEST(Shapes, CoincidentFaces) {
     SceneFile file = furnace(0.5);
     file.quad("again", {0.2f, 0, 0.8f}, {0.6f, 0, 0}, {0, 0, -0.6f}, file.material(0.5));
-    const Solved result = solved(file, photons);
+    const Solved result = solved(file, photons_a_shape);
     EXPECT_EQ(result.escaped, 0);
     double flux = 0;
     for (std::uint32_t i = 0; i < result.irradiance.size(); ++i)
@@ -67,7 +67,7 @@ TEST(Shapes, CoincidentFaces) {
 TEST(Shapes, CrossingFaces) {
     SceneFile file = furnace(0.5);
     file.quad("blade", {0.6f, -0.5f, -0.5f}, {0, 0, 2}, {0, 2, 0}, file.material(0));
-    const Solved result = solved(file, photons);
+    const Solved result = solved(file, photons_a_shape);
     EXPECT_LT(result.escaped, 1e-6);
     const std::vector<std::uint32_t> room = result.scene->charts_of("room");
     const Measured* beyond = nullptr;  // the wall behind the blade, seen from the bulb
@@ -83,7 +83,7 @@ TEST(Shapes, LampOnAWall) {
         SceneFile file;
         file.box("room", glm::vec3(0), glm::vec3(1), true, file.material(0));
         file.quad("lamp", {0.25f, 1 - distance, 0.25f}, {0.5f, 0, 0}, {0, 0, 0.5f}, file.material(0, 10));
-        return solved(file, photons);
+        return solved(file, photons_a_shape);
     };
     const Solved on = lit(0), before = lit(1e-4f);
     EXPECT_EQ(on.escaped, 0);

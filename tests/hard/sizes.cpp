@@ -10,7 +10,7 @@
 namespace brewster {
 namespace {
 
-constexpr std::uint64_t photons = slow ? 4000 : 40000;
+constexpr std::uint64_t photons_a_size = slow ? 4000 : 40000;
 
 // A lamp of a micrometre a metre above the middle of a tile of two centimetres: L A / r^2.
 TEST(Sizes, LampOfAMicrometre) {
@@ -26,9 +26,9 @@ TEST(Sizes, LampOfAMicrometre) {
             const double x = 18.0 * (i + 0.5) / side - 9, z = 18.0 * (j + 0.5) / side - 9;
             form += 1.01 * 1.01 / std::pow(x * x + z * z + 1.01 * 1.01, 2) * std::pow(18.0 / side, 2);
         }
-    const Solved result = solved(file, photons);
+    const Solved result = solved(file, photons_a_size);
     expect_value(result.on("ground"), form / (18 * 18), "below a lamp of a micrometre");
-    expect_value(solved(file, 20 * photons).on("tile"), 1, "right below it");
+    expect_value(solved(file, 20 * photons_a_size).on("tile"), 1, "right below it");
 }
 
 // A lamp of ten kilometres a metre above a tile: pi L.
@@ -36,10 +36,10 @@ TEST(Sizes, LampOfTenKilometres) {
     SceneFile file;
     file.quad("tile", {-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}, file.material(0));
     file.quad("lamp", {-5000, 1, -5000}, {10000, 0, 0}, {0, 0, 10000}, file.material(0, 2));
-    expect_value(solved(file, photons).on("tile"), 2 * pi, "below a lamp of ten kilometres");
+    expect_value(solved(file, photons_a_size).on("tile"), 2 * pi, "below a lamp of ten kilometres");
 }
 
-// A sun through a hole of a millionth of the wall: what comes through is lux times the hole. Few photons do.
+// A sun through a hole of a millionth of the wall: what comes through is lux times the hole. Few photons_a_size do.
 TEST(Sizes, SunThroughAKeyhole) {
     SceneFile file;
     const int black = file.material(0);
@@ -67,7 +67,7 @@ TEST(Sizes, RoomsOfEverySizeAnywhere) {
                                    R"(], "translation": [)" + digits(x) + ",0,0]}";
         file.node_changes("room", change);
         file.node_changes("lamp", change);
-        return solved(file, photons / 2, {}, 4);
+        return solved(file, photons_a_size / 2, {}, 4);
     };
     const Solved usual = room(1, 0);
     for (const auto& [size, x] : {std::pair(1e-3, 0.0), {1e5, 0.0}, {1.0, 1e6}}) {
@@ -87,8 +87,9 @@ TEST(Sizes, ContrastOfABillion) {
     file.quad("wall", {-300, -300, -300}, {600, 0, 0}, {0, 600, 0}, black);
     file.bulb(1, {0, 0.01, 0});
     const double half = 0.5;  // of the tile in heights: solid angle 4 asin(h^2 / (1 + h^2))
-    expect_value(solved(file, photons).on("tile"), 4 * std::asin(half * half / (1 + half * half)) / 1e-4, "tile");
-    expect_value(solved(file, photons).on("wall"), 4 * pi / 6 / (600.0 * 600), "wall");  // one of a cube's six
+    expect_value(solved(file, photons_a_size).on("tile"), 4 * std::asin(half * half / (1 + half * half)) / 1e-4,
+                 "tile");
+    expect_value(solved(file, photons_a_size).on("wall"), 4 * pi / 6 / (600.0 * 600), "wall");  // one of a cube's six
 }
 
 }  // namespace

@@ -6,15 +6,10 @@
 #include "hemisphere_integral.h"
 #include "random_light.h"
 #include "reference_table.h"
+#include "upright.h"
 
 namespace brewster {
 namespace {
-
-const Vector<double> up{0, 0, 1};
-
-Vector<double> towards_source(double cos_i) {
-    return {std::sqrt((1 - cos_i) * (1 + cos_i)), 0, cos_i};
-}
 
 /// Draws reflected directions in a frame whose x axis points towards the source.
 template <class Real>

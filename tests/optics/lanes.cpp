@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t input_count = 12;
 
 template <class Real>
-using Inputs = std::array<Real, input_count>;
+using Uniforms = std::array<Real, input_count>;
 
 template <class Real>
 Vector<Real> unit_vector(const Real& u, const Real& v) {
@@ -33,7 +33,7 @@ Vector<Real> unit_vector(const Real& u, const Real& v) {
 
 /// Two directions above z = 0.
 template <class Real>
-std::pair<Vector<Real>, Vector<Real>> two_above(const Inputs<Real>& u) {
+std::pair<Vector<Real>, Vector<Real>> two_above(const Uniforms<Real>& u) {
     Vector<Real> i = unit_vector(u[0], u[1]), r = unit_vector(u[2], u[3]);
     i.z = abs(i.z);
     r.z = abs(r.z);
@@ -56,13 +56,13 @@ void expect_same_bits(const char* name, Function function, int events = 1000000 
                 if (kind == 1) value = 0.99999994f;
                 if (kind == 2) value *= 1e-6f;
             }
-        Inputs<FloatLanes> batch;
+        Uniforms<FloatLanes> batch;
         for (std::size_t j = 0; j < input_count; ++j) batch[j] = load<FloatLanes>(values[j].data());
         const auto wide = function(batch);
         std::array<std::array<float, lane_count>, std::tuple_size_v<decltype(function(batch))>> out;
         for (std::size_t k = 0; k < out.size(); ++k) store(wide[k], out[k].data());
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
-            Inputs<float> single;
+            Uniforms<float> single;
             for (std::size_t j = 0; j < input_count; ++j) single[j] = values[j][lane];
             const auto narrow = function(single);
             for (std::size_t k = 0; k < out.size(); ++k) {
@@ -80,9 +80,9 @@ void expect_same_bits(const char* name, Function function, int events = 1000000 
     EXPECT_EQ(not_a_number, 0) << name;
 }
 
-#define SAME_BITS(name, ...)                                                        \
-    TEST(SameBits, name) {                                                          \
-        expect_same_bits(#name, []<class Real>(const Inputs<Real>& u) __VA_ARGS__); \
+#define SAME_BITS(name, ...)                                                          \
+    TEST(SameBits, name) {                                                            \
+        expect_same_bits(#name, []<class Real>(const Uniforms<Real>& u) __VA_ARGS__); \
     }
 
 SAME_BITS(Elementary, {
@@ -198,16 +198,16 @@ SAME_BITS(BeckmannLobe, {
     return std::array{lobe.value, lobe.pdf_i, lobe.pdf_r, lobe.cos_theta_h};
 })
 
-const OrderRules rules;
+const OrderRules order_rules;
 const RoughInterface rough(1.5, 0.3);
 
 SAME_BITS(PoissonLobe, {
     const auto [i, r] = two_above(u);
     const KirchhoffSurface<Real, 3> surface{constant<Real>(0.02) + u[4], {u[5] * 20, u[5] * 22, u[5] * 26}};
-    const auto lobe = poisson_lobe(rules, i, r, Vector<Real>{Real(0), Real(0), Real(1)}, surface);
+    const auto lobe = poisson_lobe(order_rules, i, r, Vector<Real>{Real(0), Real(0), Real(1)}, surface);
     const auto mirror = mirror_share(surface, i.z);
     return std::array{lobe.value[0], lobe.value[1], lobe.value[2], lobe.pdf_i,
-                      lobe.pdf_r,    mirror[0],     mirror[2],     sample_slope(rules, surface, i.z, u[6])};
+                      lobe.pdf_r,    mirror[0],     mirror[2],     sample_slope(order_rules, surface, i.z, u[6])};
 })
 
 SAME_BITS(ThesisSampler, {

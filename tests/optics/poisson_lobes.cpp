@@ -7,16 +7,12 @@
 #include "optics/kirchhoff.h"
 #include "random_light.h"
 #include "reference_table.h"
+#include "upright.h"
 
 namespace brewster {
 namespace {
 
-const Vector<double> up{0, 0, 1};
 const OrderRules rules;
-
-Vector<double> towards_source(double cos_i) {
-    return {std::sqrt((1 - cos_i) * (1 + cos_i)), 0, cos_i};
-}
 
 /// The whole series of E1: value and density of poisson_lobe's sums, order by order.
 OrderSums<double> whole_series(double g, double h_i, double h_r, double tan2, double scale) {

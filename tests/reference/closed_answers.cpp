@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "optics/random_light.h"
 #include "reference/camera_tracer.h"
 #include "reference/hand_made.h"
 #include "reference/path_flux.h"
 #include "reference/reference.h"
+#include "reference/samples.h"
 #include "reference/two_mirrors.h"
 #include "scene/test_materials.h"
 
@@ -15,15 +14,7 @@
 namespace brewster {
 namespace {
 
-constexpr unsigned threads = 2;
 constexpr double errors_allowed = 3.5;
-
-/// BREWSTER_REFERENCE_SCALE: so many times the samples, to look closer.
-std::uint64_t scaled(std::uint64_t samples) {
-    const char* scale = std::getenv("BREWSTER_REFERENCE_SCALE");
-    const auto more = static_cast<std::uint64_t>(scale ? std::max(std::atoi(scale), 1) : 1);
-    return std::max<std::uint64_t>(samples * more / static_cast<std::uint64_t>(light_test_scale), 2);
-}
 
 /// Means of the Stokes components over a picture.
 struct Seen {

@@ -3,6 +3,7 @@
 #include "optics/random_light.h"
 #include "reference/hand_made.h"
 #include "reference/reference.h"
+#include "reference/samples.h"
 #include "scene/test_materials.h"
 
 /// Polarizers and retarders in closed form (theory 1.3, 6), for light that is met through them and that they let pass
@@ -10,21 +11,19 @@
 namespace brewster {
 namespace {
 
-constexpr unsigned threads = 2;
-
 Material polarizer(double degrees) {
     return test_materials::filter(FilterKind::polarizer, static_cast<float>(radians(degrees)));
 }
 
-struct Seen {
+struct SeenBands {
     std::array<std::array<double, 4>, band_count> mean, error;
 };
 
-Seen render(const Scene& scene, const Camera& camera, std::uint64_t samples, bool polarized = true) {
+SeenBands render(const Scene& scene, const Camera& camera, std::uint64_t samples, bool polarized = true) {
     Reference reference(scene, camera, 4, 4, polarized, 1, threads);
     reference.add_samples(samples);
     const Image picture = reference.picture();
-    Seen seen;
+    SeenBands seen;
     for (int band = 0; band < band_count; ++band)
         for (int j = 0; j < 4; ++j) {
             const PictureMean mean = mean_of(picture, j, band);
@@ -35,7 +34,7 @@ Seen render(const Scene& scene, const Camera& camera, std::uint64_t samples, boo
 }
 
 /// A lamp of radiance 1 straight ahead, behind sheets; the first is met first by the light. Nothing is left to chance.
-Seen lamp_behind(const std::vector<Material>& sheets, bool polarized = true, std::uint64_t samples = 2) {
+SeenBands lamp_behind(const std::vector<Material>& sheets, bool polarized = true, std::uint64_t samples = 2) {
     HandMade room;
     const auto lamp = room.add(emitter(glm::vec3(1.0f)));
     room.square("lamp", {0, 0, -5}, {0, 0, 1}, 1, lamp);
@@ -49,7 +48,7 @@ Seen lamp_behind(const std::vector<Material>& sheets, bool polarized = true, std
 
 TEST(Filters, Malus) {
     for (const double angle : {0.0, 25.0, -60.0, 90.0}) {
-        const Seen seen = lamp_behind({polarizer(10), polarizer(10 + angle)});
+        const SeenBands seen = lamp_behind({polarizer(10), polarizer(10 + angle)});
         const double expected = 0.5 * std::pow(std::cos(radians(angle)), 2);
         EXPECT_NEAR(seen.mean[0][0], expected, 1e-6) << angle;
         // What leaves is polarized along the last one's axis.
@@ -72,20 +71,20 @@ TEST(Filters, Waveplates) {
     const glm::vec3 retardance(1.5f, 1.9f, 2.8f);
     const double b = radians(35);
     const Material plate = test_materials::filter(FilterKind::retarder, static_cast<float>(b), retardance);
-    const Seen crossed = lamp_behind({polarizer(0), plate, polarizer(90)});
+    const SeenBands crossed = lamp_behind({polarizer(0), plate, polarizer(90)});
     for (std::size_t band = 0; band < band_count; ++band) {
         const double half = 0.5 * static_cast<double>(retardance[static_cast<int>(band)]);
         EXPECT_NEAR(crossed.mean[band][0], 0.5 * std::pow(std::sin(2 * b) * std::sin(half), 2), 1e-6) << band;
     }
     const Material quarter = test_materials::filter(FilterKind::retarder, 0, glm::vec3(static_cast<float>(0.5 * pi)));
-    const Seen circular = lamp_behind({polarizer(45), quarter});
+    const SeenBands circular = lamp_behind({polarizer(45), quarter});
     EXPECT_NEAR(circular.mean[0][2], 0, 1e-6);
     EXPECT_NEAR(circular.mean[0][3], -0.5, 1e-6);
 }
 
 /// A pane met straight on passes (1 - R)/(1 + R), R = ((n - 1)/(n + 1))^2; whether a path is mirrored is left to chance.
 TEST(Filters, AndPanes) {
-    const Seen seen = lamp_behind({test_materials::pane(), polarizer(20)}, true, 1000);
+    const SeenBands seen = lamp_behind({test_materials::pane(), polarizer(20)}, true, 1000);
     EXPECT_NEAR(seen.mean[0][0], 0.5 * 0.96 / 1.04, 4 * seen.error[0][0]);
     EXPECT_LT(seen.error[0][0], 0.002);
 }
@@ -111,7 +110,7 @@ TEST(Filters, FloorsLitAndSeenThroughSheets) {
         return render(*room.finish(), camera, samples, polarized);
     };
     const double radiance = 0.5 * 5 * 0.6 / pi;
-    const auto expect = [&](const Seen& seen, std::size_t component, double expected, const char* what) {
+    const auto expect = [&](const SeenBands& seen, std::size_t component, double expected, const char* what) {
         const double error = seen.error[0][component];
         std::printf("%-28s S%zu %+.5f against %+.5f +- %.5f\n", what, component, seen.mean[0][component], expected,
                     error);
@@ -122,7 +121,7 @@ TEST(Filters, FloorsLitAndSeenThroughSheets) {
     };
     expect(floor_seen_through(nullptr, true), 0, radiance, "seen freely");
     const Material second = polarizer(30);
-    const Seen through = floor_seen_through(&second, true);
+    const SeenBands through = floor_seen_through(&second, true);
     expect(through, 0, radiance / 2, "through a polarizer");
     expect(through, 1, radiance / 2 * std::cos(radians(60)), "through a polarizer");
     expect(through, 2, radiance / 2 * std::sin(radians(60)), "through a polarizer");

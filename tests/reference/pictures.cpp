@@ -16,7 +16,7 @@ namespace {
 
 const std::string root = BREWSTER_SOURCE_DIR;
 
-Scene asset(const std::string& name) {
+Scene stored_asset(const std::string& name) {
     return read_scene(root + "/assets/scenes/" + name + ".gltf");
 }
 
@@ -90,7 +90,7 @@ std::vector<std::uint8_t> bases_seen(const Surroundings& surroundings, const Cam
 
 /// The peer traced light without polarization; its glossy floor is noisy, its walls are not.
 TEST(Pictures, RoomAgreesWithThePeerOnTheWalls) {
-    const Scene scene = asset("brewster-room");
+    const Scene scene = stored_asset("brewster-room");
     const Surroundings surroundings(scene);
     for (const Camera& camera : scene.cameras) {
         const std::string name = "brewster-room-" + camera.name + "-off";
@@ -115,7 +115,7 @@ TEST(Pictures, AreWhatTheTracersMakeToday) {
         if (entry.path().extension() != ".exr" || name.ends_with("320x240")) continue;
         const Image picture = read_exr(entry.path().string());
         std::map<std::string, std::string> said(picture.attributes.begin(), picture.attributes.end());
-        const Scene scene = asset(said["brewster.scene"]);
+        const Scene scene = stored_asset(said["brewster.scene"]);
         const bool polarized = said["brewster.polarization"] == "on";
         Reference today(scene, scene.camera(said["brewster.camera"]), picture.width() / 8, picture.height() / 8,
                         polarized, 99, 2);

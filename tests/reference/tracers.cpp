@@ -1,31 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "optics/random_light.h"
 #include "reference/hand_made.h"
 #include "reference/path_flux.h"
 #include "reference/reference.h"
+#include "reference/samples.h"
 #include "scene/test_materials.h"
 
 /// Camera and light tracer against each other, class by class of paths, and what both must keep.
 namespace brewster {
 namespace {
 
-constexpr unsigned threads = 2;
 const char* const class_names[] = {"bases", "reflections", "caustics"};
 constexpr PathClass shared_classes[] = {PathClass::bases, PathClass::reflections, PathClass::caustics};
 
 std::shared_ptr<const Scene> asset(const std::string& name) {
     return std::make_shared<const Scene>(
         read_scene(std::string(BREWSTER_SOURCE_DIR) + "/assets/scenes/" + name + ".gltf"));
-}
-
-/// BREWSTER_REFERENCE_SCALE: so many times the samples, to look closer.
-std::uint64_t scaled(std::uint64_t samples) {
-    const char* scale = std::getenv("BREWSTER_REFERENCE_SCALE");
-    const auto more = static_cast<std::uint64_t>(scale ? std::max(std::atoi(scale), 1) : 1);
-    return samples * more / static_cast<std::uint64_t>(light_test_scale);
 }
 
 struct Pair {

@@ -13,19 +13,19 @@ namespace brewster {
 namespace {
 
 using Light = Stokes<double, 4>;
-const Vector<double> up{0, 0, 1};
+const Vector<double> sheet_normal{0, 0, 1};
 constexpr double quarter_turn = 0.5 * pi;
 
 /// What a sheet does to light that comes straight down, in the frame x that both segments share.
 template <Use use = Use::light>
 Light through(const Material& material, double angle, const Light& light) {
     const PreparedMaterial sheet = prepare_materials({material})[0];
-    const SurfacePoint<double> at{up, {1, 0, 0}, up, false, {std::cos(angle), std::sin(angle), 0}};
+    const SurfacePoint<double> at{sheet_normal, {1, 0, 0}, sheet_normal, false, {std::cos(angle), std::sin(angle), 0}};
     const auto sample = sample_bsdf<use, 1>(sheet, at, {});
     EXPECT_TRUE(sample.alive && sample.sharp && sample.refracted && !sample.base);
     EXPECT_EQ(sample.direction.z, -1);
     // Light that runs down, or, for the eye that looks down, up.
-    const Vector<double> direction = use == Use::light ? -up : up;
+    const Vector<double> direction = use == Use::light ? -sheet_normal : sheet_normal;
     const Light in = use == Use::light ? rotate(sample.turn, light)
                                        : rotate(rotation_between(direction, {1, 0, 0}, sample.axis), light);
     const Light out = sample.weight[0] * in;
@@ -78,7 +78,7 @@ TEST(Filter, ObliqueAxesAreProjected) {
     const PreparedMaterial sheet = prepare_materials({test_materials::filter(FilterKind::polarizer, 0)})[0];
     const Vector<double> towards = normalized(Vector<double>{0.8, 0.3, 0.5});
     const auto axis_of = [&](const Vector<double>& on_sheet) {
-        const SurfacePoint<double> at{towards, normalized(cross(towards, up)), up, false, on_sheet};
+        const SurfacePoint<double> at{towards, normalized(cross(towards, sheet_normal)), sheet_normal, false, on_sheet};
         return sample_bsdf<Use::light, 1>(sheet, at, {}).axis;
     };
     const Vector<double> x{1, 0, 0}, y{0, 1, 0};

@@ -14,13 +14,10 @@
 #include "scene/exact_hit.h"
 #include "scene/gltf_builder.h"
 #include "scene/lamp.h"
+#include "scene/opened.h"
 
 namespace brewster {
 namespace {
-
-Scene scene_of(const GltfBuilder& file) {
-    return read_scene_text(file.text(), "test");
-}
 
 Hit hit_of(const Rays& rays, const Ray& ray) {
     Hit hit;

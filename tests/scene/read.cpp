@@ -11,17 +11,13 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "scene/gltf_builder.h"
+#include "scene/opened.h"
 #include "scene/scene.h"
 
 namespace brewster {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool warns_of(const Scene& scene, const std::string& words) {
-    return std::any_of(scene.warnings.begin(), scene.warnings.end(),
-                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
-}
 
 // A unit square in the plane z = 0 that faces +z, with one grey material.
 GltfBuilder square() {
@@ -31,15 +27,11 @@ GltfBuilder square() {
     return file;
 }
 
-Scene scene_of(const GltfBuilder& file) {
-    return read_scene_text(file.text(), "test");
-}
-
 glm::vec3 in_file(const Scene& scene, glm::vec3 p) {
     return glm::vec3(glm::dvec3(p) + scene.centre);
 }
 
-void expect_near(glm::vec3 a, glm::vec3 b, float tolerance = 1e-6f) {
+void expect_vector(glm::vec3 a, glm::vec3 b, float tolerance = 1e-6f) {
     EXPECT_NEAR(a.x, b.x, tolerance);
     EXPECT_NEAR(a.y, b.y, tolerance);
     EXPECT_NEAR(a.z, b.z, tolerance);
@@ -61,7 +53,7 @@ TEST(Read, CanonicalScenesOpen) {
         EXPECT_EQ(scene.lamps.size(), expected.lamps) << name;
         EXPECT_EQ(scene.cameras.size(), expected.cameras) << name;
         EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings[0];
-        expect_near(scene.low, -scene.high, 1e-6f);
+        expect_vector(scene.low, -scene.high, 1e-6f);
     }
 }
 
@@ -71,10 +63,10 @@ TEST(Read, CornellBoxMaterialsAndLamp) {
     const Lamp& lamp = scene.lamps[0];
     EXPECT_EQ(lamp.kind, LampKind::area);
     EXPECT_EQ(lamp.name, "lamp");
-    expect_near(lamp.intensity, {17.0f, 12.0f, 4.0f}, 1e-5f);  // 17 x (1, 12/17, 4/17)
-    expect_near(lamp.power, lamp.intensity * static_cast<float>(pi * 0.04), 1e-5f);
+    expect_vector(lamp.intensity, {17.0f, 12.0f, 4.0f}, 1e-5f);  // 17 x (1, 12/17, 4/17)
+    expect_vector(lamp.power, lamp.intensity * static_cast<float>(pi * 0.04), 1e-5f);
     const Chart& red = scene.charts[scene.charts_of("left")[0]];
-    expect_near(scene.materials[red.material].albedo, {0.63f, 0.065f, 0.05f});
+    expect_vector(scene.materials[red.material].albedo, {0.63f, 0.065f, 0.05f});
     EXPECT_EQ(scene.triangles[red.first_triangle].back_chart, no_chart);
 }
 
@@ -91,9 +83,9 @@ TEST(Read, TransformsNest) {
     ASSERT_EQ(scene.charts.size(), 1u);
     EXPECT_NEAR(scene.charts[0].area, 6, 1e-6);
     // The square: (x, y, 0) -> (2x + 10, 0, 3y) -> (3y, 0, -2x - 10 + 5).
-    expect_near(in_file(scene, scene.low), {0, 0, -7});
-    expect_near(in_file(scene, scene.high), {3, 0, -5});
-    expect_near(scene.charts[0].normal, {0, -1, 0});
+    expect_vector(in_file(scene, scene.low), {0, 0, -7});
+    expect_vector(in_file(scene, scene.high), {3, 0, -5});
+    expect_vector(scene.charts[0].normal, {0, -1, 0});
 }
 
 // A mirrored node keeps its front: its triangles are turned, because mirroring turns their corners' sense.
@@ -156,8 +148,8 @@ TEST(Read, DoubleSidedMaterialsHaveTwoChartsOfOneSurface) {
     const Scene scene = scene_of(file);
     ASSERT_EQ(scene.charts.size(), 2u);
     EXPECT_EQ(scene.charts[0].surface, scene.charts[1].surface);
-    expect_near(scene.charts[0].normal, -scene.charts[1].normal);
-    for (const Chart& chart : scene.charts) expect_near(glm::cross(chart.axis_u, chart.axis_v), chart.normal);
+    expect_vector(scene.charts[0].normal, -scene.charts[1].normal);
+    for (const Chart& chart : scene.charts) expect_vector(glm::cross(chart.axis_u, chart.axis_v), chart.normal);
     EXPECT_EQ(scene.triangles[0].front_chart, 0u);
     EXPECT_EQ(scene.triangles[0].back_chart, 1u);
     ASSERT_EQ(scene.lamps.size(), 2u);  // it glows on both sides
@@ -168,7 +160,7 @@ TEST(Read, DefaultMaterialIsSaid) {
     GltfBuilder file = square();
     file.json["meshes"][0]["primitives"][0].erase("material");
     const Scene scene = scene_of(file);
-    expect_near(scene.materials[scene.charts[0].material].albedo, glm::vec3(0.8f));
+    expect_vector(scene.materials[scene.charts[0].material].albedo, glm::vec3(0.8f));
     EXPECT_TRUE(warns_of(scene, "mesh \"square\": it has no material and gets Lambert of albedo 0.8"));
 }
 
@@ -192,8 +184,7 @@ TEST(Read, WhatIsNotSimulatedIsSaid) {
     const Scene scene = scene_of(file);
     for (const char* words :
          {"the extension KHR_materials_clearcoat is not read", "the extension EXT_of_nobody is not read",
-          "animations are not played",
-          "material \"grey\": its roughness is not simulated where light passes",
+          "animations are not played", "material \"grey\": its roughness is not simulated where light passes",
           "material \"grey\": its colour is not simulated where light passes",
           "material \"gold\": its roughness is taken as m = 0.8",
           "material \"grey\": its alpha mode BLEND is not simulated", "mesh \"square\": its morph targets are not read",
@@ -291,7 +282,7 @@ TEST(Read, SkinsStandAsTheirJointsDo) {
     // (0, 0), (1, 0), (1, 1 + 1), (0, 1 + 1/2): a trapezium.
     ASSERT_EQ(scene.charts.size(), 1u);
     EXPECT_NEAR(scene.charts[0].area, 1.75, 1e-6);
-    expect_near(in_file(scene, scene.high), {1, 2, 0});
+    expect_vector(in_file(scene, scene.high), {1, 2, 0});
     EXPECT_TRUE(warns_of(scene, "mesh \"square\": its skin is not animated; it stands as its joints do in the file"));
 }
 
@@ -315,9 +306,9 @@ TEST(Read, CamerasAnswerToNodeAndOwnName) {
     const Scene scene = scene_of(file);
     EXPECT_FLOAT_EQ(scene.camera("front").vertical_field_of_view, 0.9f);
     EXPECT_EQ(&scene.camera("Camera.main"), &scene.camera("front"));
-    expect_near(in_file(scene, scene.camera("front").position), {0, 0, 4});
-    expect_near(scene.camera("front").forward, {0, 0, -1});
-    expect_near(scene.camera("front").up, {0, 1, 0});
+    expect_vector(in_file(scene, scene.camera("front").position), {0, 0, 4});
+    expect_vector(scene.camera("front").forward, {0, 0, -1});
+    expect_vector(scene.camera("front").up, {0, 1, 0});
     EXPECT_FLOAT_EQ(scene.camera("a").vertical_field_of_view, 0.7f);
     EXPECT_FLOAT_EQ(scene.camera("a 2").vertical_field_of_view, 0.6f);
     EXPECT_TRUE(warns_of(scene, "the second is called \"a 2\""));
@@ -368,14 +359,14 @@ TEST(Read, PunctualLights) {
     const Scene scene = scene_of(file);
     ASSERT_EQ(scene.lamps.size(), 3u);
     EXPECT_EQ(scene.lamps[0].kind, LampKind::sun);
-    expect_near(scene.lamps[0].direction, {0, 0, -1});
-    expect_near(scene.lamps[0].power, {1000, 500, 250}, 1e-3f);  // 1 m2 of bounds across the beam
+    expect_vector(scene.lamps[0].direction, {0, 0, -1});
+    expect_vector(scene.lamps[0].power, {1000, 500, 250}, 1e-3f);  // 1 m2 of bounds across the beam
     EXPECT_EQ(scene.lamps[1].name, "bulb");
-    expect_near(in_file(scene, scene.lamps[1].position), {0.5, 0.5, 2});
+    expect_vector(in_file(scene, scene.lamps[1].position), {0.5, 0.5, 2});
     EXPECT_NEAR(scene.lamps[1].power.x, 400 * pi, 1e-3);
     EXPECT_TRUE(warns_of(scene, "light \"bulb\": its range is ignored"));
     EXPECT_EQ(scene.lamps[2].name, "light 2");
-    expect_near(scene.lamps[2].direction, {0, 0, 1});
+    expect_vector(scene.lamps[2].direction, {0, 0, 1});
     const double inner = std::cos(0.3), outer = std::cos(0.6);
     EXPECT_NEAR(scene.lamps[2].power.x, 20 * pi * ((1 - inner) + (inner - outer) / 3), 1e-5);
     EXPECT_NEAR(scene.total_power().x, 1000 + 400 * pi + scene.lamps[2].power.x, 1e-2);

@@ -30,7 +30,7 @@ Material read(const GltfMaterial& from, std::size_t sentences) {
     return material;
 }
 
-void expect_near(glm::vec3 a, glm::vec3 b, float tolerance) {
+void expect_bands(glm::vec3 a, glm::vec3 b, float tolerance) {
     for (int band = 0; band < 3; ++band) EXPECT_NEAR(a[band], b[band], tolerance) << "band " << band;
 }
 
@@ -39,9 +39,9 @@ TEST(ReadMaterial, PlasticIsADielectricOverAPolarizedDiffuseBase) {
     EXPECT_EQ(material.interface.kind, InterfaceKind::dielectric);
     EXPECT_EQ(material.interface.finish, Finish::beckmann);
     EXPECT_FLOAT_EQ(material.interface.slope, 0.25f);  // m = r^2
-    expect_near(material.interface.n, glm::vec3(1.5f), 1e-6f);
+    expect_bands(material.interface.n, glm::vec3(1.5f), 1e-6f);
     EXPECT_EQ(material.base, Base::polarized_diffuse);
-    expect_near(material.albedo, {0.2f, 0.4f, 0.6f}, 1e-6f);
+    expect_bands(material.albedo, {0.2f, 0.4f, 0.6f}, 1e-6f);
 }
 
 TEST(ReadMaterial, BlackPlasticHasABlackBase) {
@@ -56,22 +56,22 @@ TEST(ReadMaterial, BlackPlasticHasABlackBase) {
 TEST(ReadMaterial, SpecularFactorScalesTheReflectance) {
     GltfMaterial from = plastic();
     from.specular = 0.25;
-    expect_near(normal_reflectance(read(from, 0).interface), glm::vec3(0.01f), 1e-7f);  // a quarter of 0.04
+    expect_bands(normal_reflectance(read(from, 0).interface), glm::vec3(0.01f), 1e-7f);  // a quarter of 0.04
     from.specular = 0;
     const Material bare = read(from, 0);
     EXPECT_FALSE(bare.interface.present());
     EXPECT_EQ(bare.base, Base::lambert);
-    expect_near(bare.albedo, {0.2f, 0.4f, 0.6f}, 1e-6f);
+    expect_bands(bare.albedo, {0.2f, 0.4f, 0.6f}, 1e-6f);
 }
 
 TEST(ReadMaterial, SpecularColourScalesItBandByBand) {
     GltfMaterial from = plastic();
     from.specular_color = {1, 0.25, 0};
     const Material material = read(from, 0);
-    expect_near(normal_reflectance(material.interface), {0.04f, 0.01f, 0}, 3e-5f);  // the last: an index of 1.01
+    expect_bands(normal_reflectance(material.interface), {0.04f, 0.01f, 0}, 3e-5f);  // the last: an index of 1.01
     EXPECT_EQ(material.interface.kind, InterfaceKind::dielectric);
     from.specular_color = {1e6, 1e6, 1e6};
-    expect_near(normal_reflectance(read(from, 0).interface), glm::vec3(0.96f), 1e-3f);
+    expect_bands(normal_reflectance(read(from, 0).interface), glm::vec3(0.96f), 1e-3f);
 }
 
 // A surface is a metal or none, transparent or not; what lies between is said.
@@ -98,7 +98,7 @@ TEST(ReadMaterial, IndexOfAirIsNoInterface) {
     from.ior = 1;
     EXPECT_EQ(read(from, 0).base, Base::lambert);
     from.ior = 0;  // a file of the old specular-glossiness kind
-    expect_near(read(from, 0).interface.n, glm::vec3(1.5f), 1e-6f);
+    expect_bands(read(from, 0).interface.n, glm::vec3(1.5f), 1e-6f);
 }
 
 TEST(ReadMaterial, RoughnessBeyondTheTheoryIsClampedAndSaid) {
@@ -139,15 +139,15 @@ TEST(ReadMaterial, ComplexIorHolds) {
     from.surface.k = {3.25, 2.46, 1.88};
     const Material gold = read(from, 0);
     EXPECT_EQ(gold.interface.kind, InterfaceKind::conductor);
-    expect_near(gold.interface.n, {0.19f, 0.43f, 1.4f}, 0.0f);
-    expect_near(gold.interface.k, {3.25f, 2.46f, 1.88f}, 0.0f);
+    expect_bands(gold.interface.n, {0.19f, 0.43f, 1.4f}, 0.0f);
+    expect_bands(gold.interface.k, {3.25f, 2.46f, 1.88f}, 0.0f);
     from.metallic = 0;  // k alone makes a conductor; without it, n is a dielectric's, band by band
     EXPECT_EQ(read(from, 0).interface.kind, InterfaceKind::conductor);
     from.surface.n = {1.51, 1.52, 1.53};
     from.surface.k = {0, 0, 0};
     const Material glass = read(from, 0);
     EXPECT_EQ(glass.interface.kind, InterfaceKind::dielectric);
-    expect_near(glass.interface.n, {1.51f, 1.52f, 1.53f}, 0.0f);
+    expect_bands(glass.interface.n, {1.51f, 1.52f, 1.53f}, 0.0f);
 }
 
 TEST(ReadMaterial, HeightAndLengthMakeAKirchhoffSurface) {
@@ -175,7 +175,7 @@ TEST(ReadMaterial, TransmissionIsAPaneOrABody) {
     EXPECT_EQ(pane.base, Base::transparent);
     EXPECT_TRUE(pane.thin);
     EXPECT_EQ(pane.interface.finish, Finish::smooth);
-    expect_near(pane.albedo, glm::vec3(0.0f), 0.0f);
+    expect_bands(pane.albedo, glm::vec3(0.0f), 0.0f);
     from.thickness = 0.01;
     EXPECT_FALSE(read(from, 0).thin);
     from.roughness = 0.1;
@@ -202,7 +202,7 @@ TEST(ReadMaterial, FiltersAreBareSheets) {
     from.surface.polarizer = false;
     from.surface.retarder = true;
     from.surface.retardance = 450;
-    expect_near(read(from, 0).filter.retardance, glm::vec3(static_cast<float>(pi / 2)), 1e-6f);
+    expect_bands(read(from, 0).filter.retardance, glm::vec3(static_cast<float>(pi / 2)), 1e-6f);
     from.surface.retardance = 0;
     from.surface.birefringence = 0.009;
     from.surface.thickness = 61.0;  // a wave at 549 nm
@@ -229,13 +229,13 @@ TEST(ReadMaterial, TheExtensionIsReadFromTheFile) {
     file.add_node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     const Scene scene = read_scene_text(file.text(), "test");
     const Interface& interface = scene.materials[0].interface;
-    expect_near(interface.n, {0.2f, 0.3f, 0.4f}, 0.0f);
-    expect_near(interface.k, {3, 2, 1}, 0.0f);
+    expect_bands(interface.n, {0.2f, 0.3f, 0.4f}, 0.0f);
+    expect_bands(interface.k, {3, 2, 1}, 0.0f);
     EXPECT_EQ(interface.finish, Finish::kirchhoff);
     ASSERT_EQ(scene.lamps.size(), 1u);
-    expect_near(scene.lamps[0].polarization, {0.0f, 0.6f, -0.8f}, 1e-6f);
+    expect_bands(scene.lamps[0].polarization, {0.0f, 0.6f, -0.8f}, 1e-6f);
     EXPECT_NEAR(scene.lamps[0].angular_radius, radians(0.25), 1e-7);
-    expect_near(scene.lamps[0].axis, {1, 0, 0}, 1e-6f);
+    expect_bands(scene.lamps[0].axis, {1, 0, 0}, 1e-6f);
 }
 
 }  // namespace

@@ -12,16 +12,12 @@
 #include "scene/albedo.h"
 #include "scene/encoded_picture.h"
 #include "scene/gltf_builder.h"
+#include "scene/opened.h"
 
 namespace brewster {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool warns_of(const Scene& scene, const std::string& words) {
-    return std::any_of(scene.warnings.begin(), scene.warnings.end(),
-                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
-}
 
 std::array<std::uint8_t, 4> quarters(int x, int y) {
     return {static_cast<std::uint8_t>(x == 0 ? 255 : 0), static_cast<std::uint8_t>(y == 0 ? 255 : 0), 128, 255};
@@ -44,10 +40,6 @@ GltfBuilder with_picture_in_view(GltfBuilder file, const std::string& bytes) {
     const int view = file.add_view(bytes);
     file.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
     return file;
-}
-
-Scene scene_of(const GltfBuilder& file) {
-    return read_scene_text(file.text(), "test");
 }
 
 // Albedo at a place of the square.

@@ -12,7 +12,7 @@
 namespace brewster {
 namespace {
 
-constexpr KernelChoice full{4, 3, false};
+constexpr KernelChoice polarized_bands{4, 3, false};
 
 std::uint64_t photons() {
     const char* wish = std::getenv("BREWSTER_PATH_PHOTONS");
@@ -33,7 +33,7 @@ TEST(PathClassFlux, FigureOfTheThesis) {
                 material.interface.slope = row.slope;
                 material.interface.finish = row.slope > 0 ? Finish::beckmann : Finish::smooth;
             }
-        Bench bench(scene, 1, full);
+        Bench bench(scene, 1, polarized_bands);
         const PathClassFlux flux = path_class_flux(bench.context, {"floor", "cuboid side", "back wall"}, photons());
         std::printf("figure 8.1, m = %.2f: on/off %.4f %% +- %.4f %%, off %.4g of the photons' weight\n",
                     static_cast<double>(row.slope), 100 * flux.ratio, 100 * flux.ratio_standard_error,
@@ -46,7 +46,7 @@ TEST(PathClassFlux, FigureOfTheThesis) {
 // Light that meets one interface only is not less by its polarization.
 TEST(PathClassFlux, OneReflectionCannotTellPolarizationsApart) {
     const auto scene = rooms::read("brewster-room.gltf");
-    Bench bench(*scene, 1, full);
+    Bench bench(*scene, 1, polarized_bands);
     const PathClassFlux flux = path_class_flux(bench.context, {"floor", "back wall"}, 200000);
     EXPECT_NEAR(flux.ratio, 1, 1e-6);
     EXPECT_THROW(path_class_flux(bench.context, {"no such wall"}, 1), Error);
