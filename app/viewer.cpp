@@ -429,13 +429,15 @@ void Viewer::draw() {
     const bool whole = in_motion || fresh() || !resolution_.half();
     const bool running = session_.engine() && session_.engine()->progress().running;
     const bool due = begin - last_present_ >= seconds_between();
+    // What was there stays until the first draw has all of its bands.
+    const auto is_whole = [&] { return canvas_.settled() || picture.draws(needed) > 0; };
     const auto wants_present = [&] {
-        // What was there stays until the first draw has all of its bands.
-        if (drawn && !canvas_.settled() && picture.draws(needed) == 0) return false;
+        if (drawn && !is_whole()) return false;
         const bool better = improved_ && (canvas_.gathered() || picture.draws(needed) >= draws_to_present_);
         return must_present_ || in_motion || (due && (better || running));
     };
-    // A band and a present would keep input waiting for both; presents that follow each other leave every other turn to one.
+    // A band and a present would keep input waiting for both; presents that follow each other leave every other turn to
+    // a band.
     const bool draws_now = drawn && (whole || band_is_overdue_ || !wants_present());
     band_is_overdue_ = drawn && !draws_now;
     if (draws_now) {
@@ -452,8 +454,7 @@ void Viewer::draw() {
         picture.finish();
     }
     const double took = seconds_now() - begin;
-    const bool shown = canvas_.settled() || picture.draws(needed) > 0;
-    pause_ = !in_motion && drawn && shown && (took > slow_frame || !whole) ? 3 * took : 0;
+    pause_ = !in_motion && drawn && is_whole() && (took > slow_frame || !whole) ? 3 * took : 0;
     if (drawn && whole && !keeps_resolution_) resolution_.frame_took(took);
     if (in_motion && drawn) frame_seconds_ = took;
     // Frames of sliders could follow each other without a pause; photons that are waited for need one.

@@ -21,19 +21,18 @@ float band_sum(const glm::vec3& bands) {
 /// Polarized world, then unpolarized.
 using BothWorlds = std::array<lookup::BinValue, 2>;
 
+BothWorlds read_both(const Snapshot& bins, const Level& level, std::uint32_t i, std::uint32_t root, std::uint32_t on,
+                     std::uint32_t off) {
+    return {lookup::look_up(bins, root, on, level.u[i], level.v[i]),
+            lookup::look_up(bins, root, off, level.u[i], level.v[i])};
+}
 BothWorlds read_direct(const Snapshot& bins, const Level& level, std::uint32_t i) {
-    const auto read = [&](int world) {
-        return lookup::look_up(bins, bins.charts[level.chart[i]].direct_root, bins.direct_offset(world), level.u[i],
-                               level.v[i]);
-    };
-    return {read(0), read(1)};
+    const std::uint32_t root = bins.charts[level.chart[i]].direct_root;
+    return read_both(bins, level, i, root, bins.direct_offset(0), bins.direct_offset(1));
 }
 BothWorlds read_indirect(const Snapshot& bins, const Level& level, std::uint32_t i) {
-    const auto read = [&](int world) {
-        return lookup::look_up(bins, bins.charts[level.chart[i]].indirect_root, bins.indirect_offset(world), level.u[i],
-                               level.v[i]);
-    };
-    return {read(0), read(1)};
+    const std::uint32_t root = bins.charts[level.chart[i]].indirect_root;
+    return read_both(bins, level, i, root, bins.indirect_offset(0), bins.indirect_offset(1));
 }
 
 /// Light of independent errors; none of it where the pointer is null.

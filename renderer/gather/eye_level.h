@@ -108,7 +108,7 @@ struct Level {
     std::array<std::uint8_t, most_rays> gathers;  ///< 1 where one may, then where one does gather the indirect light
     std::array<float, most_rays> eagerness;  ///< to follow both ways at glass (Draw); 0 where the path may not part
     std::array<float, most_rays> rough_events, throughput;
-    std::array<float, most_rays> reads_direct;  ///< 1 where the bins tell direct light, too, 0 where shadow rays do
+    std::array<float, most_rays> reads_direct;  ///< 1 where the bins tell direct light, too; 0 where shadow rays do
     Rows<3> direction, axis, position, normal, shading_normal;
     Rows<3> tint;         ///< what the base's light is multiplied by; of coloured scenes only
     Rows<3> filter_axis;  ///< of filter sheets only

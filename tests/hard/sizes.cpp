@@ -39,7 +39,7 @@ TEST(Sizes, LampOfTenKilometres) {
     expect_value(solved(file, photons_a_size).on("tile"), 2 * pi, "below a lamp of ten kilometres");
 }
 
-// A sun through a hole of a millionth of the wall: what comes through is lux times the hole. Few photons_a_size do.
+// A sun through a hole of a millionth of the wall: what comes through is lux times the hole. Few photons do.
 TEST(Sizes, SunThroughAKeyhole) {
     SceneFile file;
     const int black = file.material(0);
