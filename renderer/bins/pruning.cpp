@@ -1,5 +1,7 @@
 #include "bins/pruning.h"
 
+#include <algorithm>
+
 #include "bins/half_difference.h"
 #include "bins/split_test.h"
 
@@ -93,15 +95,52 @@ void Pruning<D>::sum_up(int field, NodeSums<D>& sums) const {
     });
 }
 
+// Of what came since the split, so that young splits count by what they saw; per photon, so that all noise weighs the
+// same.
 template <int D>
-void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
-    keep_.resize(tree_.node_count());
-    unresolved_.resize(tree_.node_count());
-    gain_.resize(tree_.node_count());
+auto Pruning<D>::evidence(std::uint32_t node, const Fields& fields) const -> Evidence {
+    const std::uint32_t low = tree_.node(node).low_child(), high = low + 1;
+    const double time = age(low);
+    Evidence found;
+    if (time <= 0) return found;
     const int freedom = settings_.constant_cells ? 1 : D + 1;
     const auto energy_of = [&](const LinearFit<D>& fit, double weight, const std::array<double, D>& moments) {
         return settings_.constant_cells ? weight * weight / fit.measure() : fit.energy(weight, moments);
     };
+    const Cell<D>& cell = tree_.cell(node);
+    const LinearFit<D> parent(cell);
+    const LinearFit<D> fits[2] = {LinearFit<D>(tree_.cell(low)), LinearFit<D>(tree_.cell(high))};
+    for (const NodeSums<D>* field : fields) {
+        FieldSums<D> later;  // what came since the split, seen by the parent
+        for (const std::uint32_t child : {low, high})
+            add_child<D>(later, cell.box, (*field)[child], tree_.cell(child).box);
+        if (!later.any()) continue;
+        found.any = true;
+        for (std::size_t b = 0; b < band_count; ++b) {
+            const double band = importance_[cell.chart][b] / time;
+            double energy = -energy_of(parent, later.weight[b], later.moments[b]);
+            double variance = -later.squares[b] / parent.measure();
+            for (const std::uint32_t side : {0u, 1u}) {
+                const FieldSums<D>& child = (*field)[low + side];
+                energy += energy_of(fits[side], child.weight[b], child.moments[b]);
+                variance += child.squares[b] / fits[side].measure();
+            }
+            found.detail += band * energy;
+            found.noise += band * freedom * variance;
+        }
+        if (field == fields.front()) {
+            found.first_detail = found.detail;
+            found.first_noise = found.noise;
+        }
+    }
+    return found;
+}
+
+template <int D>
+void Pruning<D>::choose(const Fields& fields) {
+    keep_.resize(tree_.node_count());
+    unresolved_.resize(tree_.node_count());
+    gain_.resize(tree_.node_count());
     // Bands count by their relative error, so that a dim band is not drowned by a bright one.
     importance_.resize(tree_.chart_count());
     for (std::uint32_t chart = 0; chart < tree_.chart_count(); ++chart) {
@@ -124,56 +163,63 @@ void Pruning<D>::choose(const std::vector<const NodeSums<D>*>& fields) {
         const bool is_young = 2 * time < static_cast<double>(photons_);
         if (asks_tests && is_young) unresolved_[node].fill(misfit(node, (*fields[0])[node]));
         if (time <= 0) return;
-        const Cell<D>& cell = tree_.cell(node);
-        const LinearFit<D> parent(cell);
-        const LinearFit<D> fits[2] = {LinearFit<D>(tree_.cell(low)), LinearFit<D>(tree_.cell(high))};
-        double detail = 0, noise = 0, first_detail = 0, first_noise = 0;
-        bool any = false;
         if (settings_.half_differences) {
             keep_[node] = halves_are_known((*fields[0])[low], (*fields[0])[high]) ? 1 : 0;
             return;
         }
-        for (const NodeSums<D>* field : fields) {
-            FieldSums<D> later;  // what came since the split, seen by the parent
-            for (const std::uint32_t child : {low, high})
-                add_child<D>(later, cell.box, (*field)[child], tree_.cell(child).box);
-            if (!later.any()) continue;
-            any = true;
-            for (std::size_t b = 0; b < band_count; ++b) {
-                // Per photon since the split, so that all noise weighs alike and young splits count by what they saw.
-                const double band = importance_[cell.chart][b] / time;
-                double energy = -energy_of(parent, later.weight[b], later.moments[b]);
-                double variance = -later.squares[b] / parent.measure();
-                for (const std::uint32_t side : {0u, 1u}) {
-                    const FieldSums<D>& child = (*field)[low + side];
-                    energy += energy_of(fits[side], child.weight[b], child.moments[b]);
-                    variance += child.squares[b] / fits[side].measure();
-                }
-                detail += band * energy;
-                noise += band * freedom * variance;
-            }
-            if (field == fields.front()) {
-                first_detail = detail;
-                first_noise = noise;
-            }
-        }
-        if (!any) return;
+        const Evidence found = evidence(node, fields);
+        if (!found.any) return;
         if (!is_young) {
             std::array<double, looked_below>& below = unresolved_[node];
             // Stratified photons: all of the small noise is taken off, no more, or it would hide the structure.
             const double squares = spreads_[low].squares + spreads_[high].squares;
             const double ratio = squares > 0 ? (spreads_[low].variance() + spreads_[high].variance()) / squares : 1;
-            below.fill((first_detail - ratio * first_noise) / time);
+            below.fill((found.first_detail - ratio * found.first_noise) / time);
             for (std::size_t level = 1; level < looked_below; ++level)
                 below[level] += unresolved_[low][level - 1] + unresolved_[high][level - 1];
         }
-        const double net = detail + gain_[low] + gain_[high] - 2 * settings_.prune_lambda * noise;
+        const double net = found.detail + gain_[low] + gain_[high] - 2 * settings_.prune_lambda * found.noise;
         if (net > 0) {
             gain_[node] = net;
             keep_[node] = 1;
         }
     });
+    if (refines && settings_.fixed_grid_log2 < 0 && !settings_.half_differences) refine(fields);
     pool_spreads();
+}
+
+// Under each leaf of the pruned tree that has a published split above it.
+template <int D>
+void Pruning<D>::refine(const Fields& fields) {
+    over_ranges(tree_.chart_count(), 1, threads_, [&](std::size_t chart, std::size_t) {
+        const auto root = static_cast<std::uint32_t>(chart);
+        std::vector<std::uint32_t> splits;
+        if (!is_published_leaf(root)) splits.push_back(root);
+        while (!splits.empty()) {
+            const std::uint32_t low = tree_.node(splits.back()).low_child();
+            splits.pop_back();
+            for (const std::uint32_t child : {low, low + 1}) {
+                if (is_published_leaf(child))
+                    gain_near(child, near_levels, fields);
+                else
+                    splits.push_back(child);
+            }
+        }
+    });
+}
+
+// What publishing the splits from here on gains, `levels` of them by the smaller lambda. Keeps those that gain.
+template <int D>
+double Pruning<D>::gain_near(std::uint32_t node, int levels, const Fields& fields) {
+    if (tree_.node(node).is_leaf()) return 0;
+    if (levels == 0) return gain_[node];
+    const Evidence found = evidence(node, fields);
+    if (!found.any) return 0;
+    const std::uint32_t low = tree_.node(node).low_child();
+    const double net = found.detail + gain_near(low, levels - 1, fields) + gain_near(low + 1, levels - 1, fields) -
+                       2 * near_lambda * found.noise;
+    keep_[node] = net > 0 ? 1 : 0;
+    return std::max(net, 0.0);
 }
 
 template <int D>

@@ -21,6 +21,8 @@ using NodeSums = ZeroedArray<FieldSums<D>>;
 template <int D>
 class Pruning {
   public:
+    using Fields = std::vector<const NodeSums<D>*>;
+
     static constexpr std::size_t looked_below =
         5;  ///< levels of the tally tree under a published leaf that its bar asks
 
@@ -33,8 +35,10 @@ class Pruning {
 
     /// Chooses the splits worth publishing for the fields whose sums are given; the first is the intensity against which
     /// errors count. Bottom-up: a split is kept if what it adds to the parent's linear fit, plus what its children gain,
-    /// exceeds 2 lambda times its noise.
-    void choose(const std::vector<const NodeSums<D>*>& fields);
+    /// exceeds 2 lambda times its noise. On position, where light is known to bend, finer structure is likely: under a
+    /// leaf that has a published split above it, two levels of splits are held against a smaller lambda. Even light stays
+    /// in one cell.
+    void choose(const Fields& fields);
 
     bool is_published_leaf(std::uint32_t node) const { return tree_.node(node).is_leaf() || keep_[node] == 0; }
 
@@ -51,12 +55,24 @@ class Pruning {
 
   private:
     static constexpr bool asks_tests = D == 4;  // gloss: cells whose splits are young
+    static constexpr bool refines = D == 2;     // of gloss one scene gains by it, another loses
+    static constexpr double near_lambda = 0.7;
+    static constexpr int near_levels = 2;
+
+    // What a split adds to the parent's linear fit, and the noise of that; of all fields, and of the first alone.
+    struct Evidence {
+        bool any = false;  // light, since the split
+        double detail = 0, noise = 0, first_detail = 0, first_noise = 0;
+    };
 
     bool is_pending(std::uint32_t node) const;
     auto test_of(std::uint32_t node) const;
     void gather_spreads();
     void pool_tally_spreads();
     double misfit(std::uint32_t node, const FieldSums<D>& sums) const;
+    Evidence evidence(std::uint32_t node, const Fields& fields) const;
+    void refine(const Fields& fields);
+    double gain_near(std::uint32_t node, int levels, const Fields& fields);
     void pool_spreads();
 
     const BinTree<D>& tree_;

@@ -9,8 +9,8 @@
 namespace brewster {
 
 /// Chooses the leaves of every chart afresh, for the direct and the indirect light apart, and writes them down for the
-/// lookup. Bottom-up: a split is kept if what it adds to the parent's linear fit, plus what its children gain, exceeds
-/// 2 lambda times its noise. Top-down: a child's value is its parent's times its share of what came since the split.
+/// lookup. The splits to keep are chosen bottom-up (Pruning::choose). Top-down, a child's value is its parent's times
+/// its share of what came since the split.
 ///
 /// `fields`: what the tree's records hold. `pending`: tallies of the running batch, or null. `photons`: emitted in all.
 /// `flux_per_weight`: per band, lumen of one unit of weight times the number of photons; where photons carry all bands
