@@ -27,6 +27,9 @@ void LevelLight::clear(std::size_t size) {
     std::fill_n(coarse.begin(), size, 0.0f);
 }
 
+/// A power of two, so that the hash has no remainder.
+constexpr std::uint32_t draws_for_a_wide_ray = 16;
+
 /// Adds the time since the last lap to a stage.
 class StageClock {
   public:
@@ -208,6 +211,7 @@ class EyeTracer::Batch {
             const PreparedMaterial& material = scene_.materials[scene.charts[hit.chart].material];
             if (material.emission != glm::vec3(0.0f) && !segment.gathers)
                 add_emission(segment, hit, material, level.light, i);
+            choose_wide_ray(segment, material, level, i);
             if (material.filter != FilterKind::none)
                 store_vector(single_vector(filter_axis(material, scene.charts[hit.chart])), level.filter_axis, i);
             if (scene_.coloured && material.diffuse()) {
@@ -216,6 +220,23 @@ class EyeTracer::Batch {
                     level.tint[band][i] = material.tinted_base(band, tint[static_cast<int>(band)]);
             }
         }
+    }
+
+    // At the first gloss on a draw's path. Every so many draws of a sequence have one wide ray, which of them is hashed: each
+    // has it with the same probability, however many there will be.
+    void choose_wide_ray(const Segment& segment, const PreparedMaterial& material, Level& level,
+                         std::uint32_t i) const {
+        level.wide_share[i] = 0;
+        level.widely[i] = 0;
+        if (segment.rough > 0 || !draws_[segment.draw].goes_wide || material.base == Base::transparent ||
+            !material.rough() || level.ends_in_bins(i))
+            return;
+        level.wide_share[i] = 1.0f / draws_for_a_wide_ray;
+        const EyeNumbers& numbers = draws_[segment.draw].numbers;
+        const std::uint32_t turn = mixed_bits(numbers.key + mixed_bits(numbers.index / draws_for_a_wide_ray));
+        if (numbers.index % draws_for_a_wide_ray != turn % draws_for_a_wide_ray) return;
+        level.widely[i] = 1;
+        level.gathers[i] = 0;  // a path parts once
     }
 
     // Entries of one material and side come together, in the order of the segments; those without a surface last.
@@ -291,6 +312,7 @@ class EyeTracer::Batch {
         const bool transparent = material.base == Base::transparent;
         if (material.diffuse()) gather_from(level, group, vertex);
         if (!transparent && !material.reflects()) return;
+        go_widely_from(level, group, vertex);
         s_.numbers.draw(level, group, facet_dimension(vertex), s_.events.facet_u, s_.events.facet_v);
         s_.numbers.draw(level, group, choice_dimension(vertex), s_.events.choice, s_.events.slope);
         over(group, [&]<class Real>(std::uint32_t i) {
@@ -324,6 +346,18 @@ class EyeTracer::Batch {
                 next->rough = most_rough_events;
                 next->gathers = true;
             }
+        }
+    }
+
+    // On the second way, too.
+    void go_widely_from(Level& level, const Group& group, std::uint32_t vertex) {
+        const auto first = level.widely.begin() + group.first, end = level.widely.begin() + group.end;
+        if (std::find(first, end, 1) == end) return;
+        s_.numbers.draw(level, group, exit_dimension(vertex), s_.events.exit_u, s_.events.exit_v);
+        for (std::uint32_t i = group.first; i < group.end; ++i) {
+            if (level.widely[i] == 0) continue;
+            leave_gloss_widely<float>(scene_.materials[group.material], s_.events, level, s_.onwards[1], i);
+            next_segment(level, i, 1);
         }
     }
 

@@ -20,6 +20,9 @@ struct Draw {
     /// Where the bins err by much of a surface's light, rays take their place: one that gathers the indirect light of
     /// what is seen, and shadow rays for what a lobe or such a ray meets.
     bool doubts = false;
+    /// At the first rough gloss every sixteenth draw has a second ray, by the cosine, for what glares where the lobe hardly
+    /// ever points. Not for single looks: it is worth its noise where many draws are averaged.
+    bool goes_wide = false;
     bool reads_bins = false;  ///< what the bins alone say is wanted, too, where the draw meets rough gloss first
 };
 

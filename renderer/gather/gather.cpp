@@ -103,7 +103,7 @@ bool Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint3
                     draw.column = static_cast<std::uint16_t>(column);
                     draw.row = static_cast<std::uint16_t>(row);
                     draw.numbers = {keys[next % 2], next / 2};
-                    draw.doubts = next >= draws_before_doubts;
+                    draw.doubts = draw.goes_wide = next >= draws_before_doubts;
                     draw.reads_bins = next < draws_of_bins_alone;
                 }
                 if (draws.size() < eye_batch) continue;

@@ -65,6 +65,21 @@ Real heuristic_share(const Real& own, const Real& other) {
     return own * own / max(fma(own, own, other * other), constant<Real>(1e-30));
 }
 
+/// Wide rays are weighed as if there were so many times as many: they speak only where the lobe hardly ever draws, and
+/// leave to it what it draws well.
+inline constexpr double wide_trust = 0.5;
+
+/// What counts as the density of wide rays, 1/sr, beside that of a gloss's lobe.
+template <class Real>
+Real wide_density(const Real& wide_share, const Real& cosine) {
+    return wide_share * (constant<Real>(wide_trust / pi) * cosine);
+}
+/// What counts as the density of lobe and wide rays together, beside that of points on lamps.
+template <class Real>
+Real joint_density(const Real& of_lobe, const Real& wide) {
+    return sqrt(fma(wide, wide, of_lobe * of_lobe));
+}
+
 /// A point on a lamp for each entry, and what its light becomes there, before anything stands in its way.
 struct LampSamples {
     Rows<3> direction;                      ///< unit, towards the lamp
@@ -113,7 +128,8 @@ void light_by_lamps(const PreparedMaterial& material, bool tinted, bool polarize
     if (material.rough()) {
         const auto gloss = evaluate_gloss<Use::eye, band_count>(material, light_in, light_out, normal);
         const Real pdf = load<Real>(&lamps.pdf[i]);
-        see(gloss, select(pdf > 0, heuristic_share(pdf, gloss.pdf), Real(1)), false);
+        const Real of_rays = joint_density(gloss.pdf, wide_density(load<Real>(&level.wide_share[i]), cosine));
+        see(gloss, select(pdf > 0, heuristic_share(pdf, of_rays), Real(1)), false);
     }
     for (std::size_t band = 0; band < band_count; ++band) {
         for (std::size_t j = 0; j < components; ++j)
@@ -176,7 +192,7 @@ void go_into_base(const PreparedMaterial& material, bool tinted, const EventNumb
     drawn.exit_u = load<Real>(&numbers.exit_u[i]);
     drawn.exit_v = load<Real>(&numbers.exit_v[i]);
     const PlaneOfIncidence<Real> plane = plane_of_incidence(-at.towards, at.carried_axis, at.normal);
-    auto sample = bsdf_detail::sample_base<Use::eye, band_count>(material, at, plane, drawn);
+    auto sample = sample_base<Use::eye, band_count>(material, at, plane, drawn);
     if (tinted)
         for (std::size_t band = 0; band < band_count; ++band)
             sample.weight[band] = load<Real>(&level.tint[band][i]) * sample.weight[band];
@@ -201,6 +217,30 @@ std::array<ScatterSample<Real, band_count>, 2> parted_ways(const PreparedMateria
     return ways;
 }
 
+/// Samples where gloss's light comes from by the cosine, as the second way on: from where its lobe points too seldom for
+/// what glares there.
+template <class Real>
+void leave_gloss_widely(const PreparedMaterial& material, const EventNumbers& numbers, Level& level, Onwards& onwards,
+                        std::size_t i) {
+    const SurfacePoint<Real> at = surface_point<Real>(material, false, level, i);
+    const auto drawn = sample_cosine(at.normal, axis_across(-at.towards, at.normal), load<Real>(&numbers.exit_u[i]),
+                                     load<Real>(&numbers.exit_v[i]));
+    ScatterSample<Real, band_count> sample;
+    sample.direction = drawn.direction;
+    const auto gloss = evaluate_gloss<Use::eye, band_count>(material, -sample.direction, at.towards, at.normal);
+    sample.axis = gloss.axis_in;
+    sample.turn = rotation_between(at.towards, gloss.axis_out, at.carried_axis);
+    const Real wide = wide_density(load<Real>(&level.wide_share[i]), drawn.cosine);
+    // Over the true density of wide rays, not that which is trusted.
+    const Real factor =
+        heuristic_share(wide, gloss.pdf) * constant<Real>(wide_trust) * drawn.cosine / max(wide, constant<Real>(1e-30));
+    for (std::size_t band = 0; band < band_count; ++band) sample.weight[band] = factor * gloss.value[band];
+    sample.pdf = joint_density(gloss.pdf, wide);
+    sample.alive = gloss.pdf > Real(0);
+    sample.sharp = sample.base = sample.refracted = drawn.cosine < Real(-1);
+    take_way(sample, 1, level, onwards, i);
+}
+
 /// Samples where the interface's light comes from: mirror, refraction or one facet. What is transparent sends it both
 /// ways where the path may part.
 template <class Real>
@@ -213,7 +253,13 @@ void go_on(const PreparedMaterial& material, bool inside, const EventNumbers& nu
     drawn.facet_v = load<Real>(&numbers.facet_v[i]);
     drawn.slope = load<Real>(&numbers.slope[i]);
     if (material.base != Base::transparent) {
-        take_way(sample_gloss<band_count, FacetDraw::smooth>(material, at, drawn), 0, level, onwards[0], i);
+        auto sample = sample_gloss<band_count, FacetDraw::smooth>(material, at, drawn);
+        const Real wide =
+            wide_density(load<Real>(&level.wide_share[i]), max(dot(sample.direction, at.normal), Real(0)));
+        const Real share = select(sample.pdf > 0, heuristic_share(sample.pdf, wide), Real(1));
+        for (PlanarMueller<Real>& weight : sample.weight) weight = share * weight;
+        sample.pdf = select(sample.pdf > 0, joint_density(sample.pdf, wide), Real(0));
+        take_way(sample, 0, level, onwards[0], i);
         return;
     }
     const Real eagerness = load<Real>(&level.eagerness[i]);

@@ -207,28 +207,6 @@ ScatterSample<Real, bands> sample_interface(const PreparedMaterial& material, co
     return sample;
 }
 
-/// Fills in an exit from, or for the eye an entry into, the base: cosine-distributed, weight f cos / pdf.
-template <Use use, std::size_t bands, class Real>
-ScatterSample<Real, bands> sample_base(const PreparedMaterial& material, const SurfacePoint<Real>& at,
-                                       const PlaneOfIncidence<Real>& plane, const ScatterNumbers<Real>& numbers) {
-    ScatterSample<Real, bands> sample;
-    const Real radius = sqrt(numbers.exit_u), cosine = sqrt(1 - numbers.exit_u);
-    const SineCosine<Real> azimuth = sincos_turns(numbers.exit_v);
-    // The plane's axis, the normal's cross product with it, and the normal are a right-handed frame.
-    const Vector<Real> across = cross(at.normal, plane.axis);
-    const Vector<Real> around = add_scaled(azimuth.cosine, plane.axis, azimuth.sine * across);
-    sample.direction = unit_again(add_scaled(radius, around, cosine * at.normal));
-    sample.axis = add_scaled(azimuth.sine, plane.axis, -azimuth.cosine * across);
-    sample.turn = plane.turn;
-    sample.weight = use == Use::light ? base_value<bands>(material, plane.cos_theta_i, cosine)
-                                      : base_value<bands>(material, cosine, plane.cos_theta_i);
-    scale(sample.weight, constant<Real>(pi));
-    sample.pdf = cosine * constant<Real>(1 / pi);
-    sample.base = sample.alive = plane.cos_theta_i > Real(-1);
-    sample.sharp = sample.refracted = plane.cos_theta_i < Real(-1);
-    return sample;
-}
-
 /// What a smooth transparent skin or pane does with light, whole.
 template <class Real>
 struct PartedLight {
@@ -321,6 +299,46 @@ ScatterSample<Real, bands> sample_gloss(const PreparedMaterial& material, const 
     ScatterSample<Real, bands> sample = bsdf_detail::sample_interface<draw, bands>(material, at, plane, numbers);
     sample.alive = sample.alive && dot(at.towards, at.normal) > constant<Real>(1e-6);
     if (!material.reflects()) sample.alive = plane.cos_theta_i < Real(-1);
+    return sample;
+}
+
+/// A direction above a surface, by the cosine, and the s axis that the surface gives it.
+template <class Real>
+struct CosineDirection {
+    Vector<Real> direction, axis;
+    Real cosine;  ///< density: over pi, 1/sr
+};
+
+/// From two uniform numbers in [0, 1). `side`: unit, orthogonal to the normal.
+template <class Real>
+CosineDirection<Real> sample_cosine(const Vector<Real>& normal, const Vector<Real>& side, const Real& u,
+                                    const Real& v) {
+    const Real radius = sqrt(u), cosine = sqrt(1 - u);
+    const SineCosine<Real> azimuth = sincos_turns(v);
+    // The side, the normal's cross product with it, and the normal are a right-handed frame.
+    const Vector<Real> across = cross(normal, side);
+    const Vector<Real> around = add_scaled(azimuth.cosine, side, azimuth.sine * across);
+    return {unit_again(add_scaled(radius, around, cosine * normal)),
+            add_scaled(azimuth.sine, side, -azimuth.cosine * across), cosine};
+}
+
+/// An exit from, or for the eye an entry into, the base: cosine-distributed, weight f cos / pdf. `plane`: of incidence of
+/// the known direction.
+template <Use use, std::size_t bands, class Real>
+ScatterSample<Real, bands> sample_base(const PreparedMaterial& material, const SurfacePoint<Real>& at,
+                                       const PlaneOfIncidence<Real>& plane, const ScatterNumbers<Real>& numbers) {
+    using namespace bsdf_detail;
+    const auto drawn = sample_cosine(at.normal, plane.axis, numbers.exit_u, numbers.exit_v);
+    ScatterSample<Real, bands> sample;
+    sample.direction = drawn.direction;
+    sample.axis = drawn.axis;
+    sample.turn = plane.turn;
+    sample.weight = use == Use::light ? base_value<bands>(material, plane.cos_theta_i, drawn.cosine)
+                                      : base_value<bands>(material, drawn.cosine, plane.cos_theta_i);
+    scale(sample.weight, constant<Real>(pi));
+    sample.pdf = drawn.cosine * constant<Real>(1 / pi);
+    sample.base = sample.alive = plane.cos_theta_i > Real(-1);
+    sample.sharp = sample.refracted = plane.cos_theta_i < Real(-1);
     return sample;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "gather/eye_tracer.h"
 #include "gather/gather_test.h"
 #include "optics/random_light.h"
 #include "reference/hand_made.h"
@@ -14,36 +13,11 @@ namespace {
 
 constexpr double deviations_allowed = 3.5;
 
-/// Unpolarized radiance of independent draws through one pixel.
 std::vector<double> looks(const std::shared_ptr<const Scene>& scene, const Snapshot& bins, const Camera& camera,
                           bool doubts, std::uint32_t batches = 1) {
-    const EyeScene eye_scene(*scene);
-    EyeTracer tracer;
-    const auto seen = std::make_unique<LevelLight>();
-    std::vector<double> radiance;
-    for (std::uint32_t batch = 0; batch < batches; ++batch) {
-        std::vector<Draw> draws;
-        for (std::uint32_t k = 0; k < eye_batch; ++k) {
-            Draw& draw = draws.emplace_back();
-            draw.numbers = {sequence_key(batch + 1, k, 0), 0};  // a sequence of its own: independent
-            draw.doubts = doubts;
-        }
-        tracer.trace(eye_scene, bins, camera, 1, 1, draws, *seen);
-        const auto& from = eye_scene.components > 1 ? seen->unpolarized[0] : seen->stokes[0];
-        radiance.insert(radiance.end(), from.begin(), from.begin() + eye_batch);
-    }
-    return radiance;
-}
-
-PlaneMean mean_of(const std::vector<double>& seen) {
-    double sum = 0, squares = 0;
-    for (const double x : seen) {
-        sum += x;
-        squares += x * x;
-    }
-    const auto n = static_cast<double>(seen.size());
-    const double mean = sum / n;
-    return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / n)};
+    Draw how;
+    how.doubts = doubts;
+    return independent_looks(scene, bins, camera, how, batches);
 }
 
 /// In a box of grey walls whose bins say 3 lux of direct and 1 of indirect light everywhere, rays that gather find 4 rho

@@ -1,9 +1,13 @@
 #pragma once
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "bins/snapshot.h"
 #include "engine/engine.h"
+#include "gather/eye_tracer.h"
 #include "gather/gather.h"
 #include "shared/bin_layout.h"
 
@@ -59,10 +63,42 @@ inline StokesPicture gathered(const std::shared_ptr<const Scene>& scene, std::sh
     return gather.picture();
 }
 
-/// Mean over a picture of one value, and its standard error by the pixels' variances.
+/// What independent draws of the eye through one pixel see: unpolarized radiance of the first band, or a Stokes component
+/// of the polarized world. `how`: all but their numbers and place.
+inline std::vector<double> independent_looks(const std::shared_ptr<const Scene>& scene, const Snapshot& bins,
+                                             const Camera& camera, const Draw& how, std::uint32_t batches = 1,
+                                             std::optional<std::size_t> component = {}) {
+    const EyeScene eye_scene(*scene);
+    EyeTracer tracer;
+    const auto seen = std::make_unique<LevelLight>();
+    std::vector<double> radiance;
+    for (std::uint32_t batch = 0; batch < batches; ++batch) {
+        std::vector<Draw> draws(eye_batch, how);
+        for (std::uint32_t k = 0; k < eye_batch; ++k)
+            draws[k].numbers = {sequence_key(batch + 1, k, 0), 0};  // a sequence of its own: independent
+        tracer.trace(eye_scene, bins, camera, 1, 1, draws, *seen);
+        const bool both = eye_scene.components > 1 && !component;
+        const auto& from = both ? seen->unpolarized[0] : seen->stokes[3 * component.value_or(0)];
+        radiance.insert(radiance.end(), from.begin(), from.begin() + eye_batch);
+    }
+    return radiance;
+}
+
+/// Mean of one value, over a picture or of independent draws, and its standard error.
 struct PlaneMean {
     double mean = 0, error = 0;
 };
+
+inline PlaneMean mean_of(const std::vector<double>& seen) {
+    double sum = 0, squares = 0;
+    for (const double x : seen) {
+        sum += x;
+        squares += x * x;
+    }
+    const auto n = static_cast<double>(seen.size());
+    const double mean = sum / n;
+    return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.0) / n)};
+}
 
 inline PlaneMean mean_of(const StokesPicture& picture, Plane plane, int band = 0) {
     PlaneMean result;
