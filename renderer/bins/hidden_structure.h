@@ -16,8 +16,8 @@ struct LeafExcess {
 /// `leaves` each chart begins, and their end.
 ///
 /// A leaf knows its own only to +- 4.5, so it leans on its chart, and that on the scene and on there being none; of each
-/// only what stands out of chance counts. The weights were chosen on the Cornell box, 1e5 photons, where with them 76 %
-/// and 94 % of the places lie within one and two standard errors, and tried on others (tests/bench/README.md).
+/// only what stands out of chance counts. The weights were chosen on the Cornell box, 1e5 photons, for bars of this alone;
+/// cells over position that share corners need less of it (tests/bench/README.md).
 std::vector<double> hidden_structure(std::span<const LeafExcess> leaves, std::span<const std::size_t> chart_begin);
 
 }  // namespace brewster

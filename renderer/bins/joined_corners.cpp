@@ -209,6 +209,14 @@ Element element_of(const PublishedLeaf& leaf) {
     return element;
 }
 
+/// Mean square of the function with these corners, over the surface.
+glm::dvec3 mean_square(const Element& element, double area, const std::array<glm::dvec3, 4>& corners) {
+    glm::dvec3 sum(0);
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b < 4; ++b) sum += element.mass[a][b] * corners[a] * corners[b];
+    return sum / area;
+}
+
 using Values = std::vector<glm::dvec3>;
 
 std::array<glm::dvec3, 4> corners_from(const Joints& joints, std::size_t leaf, const Values& values) {
@@ -232,6 +240,8 @@ class Projection {
         elements_.reserve(leaves.size());
         for (const PublishedLeaf& leaf : leaves) elements_.push_back(element_of(leaf));
     }
+
+    const Element& element(std::size_t leaf) const { return elements_[leaf]; }
 
     Values solve() const {
         const std::size_t n = joints_.unknown_count();
@@ -302,7 +312,8 @@ void join_corners(std::span<PublishedLeaf> leaves,
                   const std::function<std::uint32_t(std::uint32_t, std::uint32_t)>& locate) {
     if (leaves.size() < 2) return keep_own_corners(leaves);
     const Joints joints(leaves, locate);
-    const Values values = Projection(leaves, joints).solve();
+    const Projection projection(leaves, joints);
+    const Values values = projection.solve();
     std::vector<double> shares(joints.unknown_count());  // how many cells' worth of corners determine a value
     for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
         for (std::size_t corner = 0; corner < 4; ++corner)
@@ -313,6 +324,10 @@ void join_corners(std::span<PublishedLeaf> leaves,
         for (std::size_t corner = 0; corner < 4; ++corner)
             for (const Term& term : joints.mix(leaf, corner)) freedom += term.weight / shares[term.unknown];
         leaves[leaf].freedom = std::min(freedom, 3.0);
+        std::array<glm::dvec3, 4> changes = leaves[leaf].corners;
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            changes[corner] -= leaves[leaf].linear(corner_coordinates[corner]);
+        leaves[leaf].bend = mean_square(projection.element(leaf), leaves[leaf].geometry->area, changes);
     }
 }
 

@@ -17,6 +17,7 @@ struct PublishedLeaf {
     glm::dvec3 standard_error{0};         ///< of the mean
     std::array<glm::dvec3, 4> corners{};  ///< (0,0), (1,0), (0,1), (1,1)
     double freedom = 3;  ///< numbers fitted from this cell's photons alone: 3, less where corners are shared
+    glm::dvec3 bend{0};  ///< mean square over the surface of what sharing corners changed
 
     glm::dvec3 linear(const std::array<double, 2>& x) const {
         return density + (x[0] - geometry->mean[0]) * slopes[0] + (x[1] - geometry->mean[1]) * slopes[1];

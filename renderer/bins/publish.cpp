@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <numeric>
 #include <span>
 
 #include "base/check.h"
@@ -15,6 +18,16 @@ namespace brewster {
 namespace {
 
 constexpr std::size_t leaves_at_a_time = 1024;
+
+// Of the published function, rms over the cell. Where neighbours share corners, what they make of the cell's fit is off
+// from it by noise, of known size, and by light that is not linear, of which the shared function then misses about as
+// much. Where it has its corners to itself, the tally tree below must tell (`hidden`, in variances of its own).
+glm::dvec3 error_of(const PublishedLeaf& leaf, double hidden) {
+    const glm::dvec3 variance = leaf.standard_error * leaf.standard_error;
+    const double alone = std::clamp((leaf.freedom - 1) / 2, 0.0, 1.0);
+    const glm::dvec3 structure = glm::max(glm::dvec3(0), leaf.bend - (3 - leaf.freedom) * variance);
+    return glm::sqrt(leaf.freedom * (1 + alone * hidden) * variance + structure);
+}
 
 class Publisher {
   public:
@@ -56,6 +69,7 @@ class Publisher {
     void write_leaves(int light, int world);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
+    double darkest_lit(const std::vector<glm::dvec2>& values) const;
     double relative_error() const;
 
     const BinTree<2>& tree_;
@@ -212,9 +226,8 @@ void Publisher::write_leaves(int light, int world) {
     over_ranges(count, leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const PublishedLeaf& leaf = leaves_[i];
-            // The standard error holds the ratio already; structure is told in units of the noise without it.
-            const double variance = 1 + hidden[i] / pruning_.variance_ratio(leaf_nodes_[i]);
-            const glm::dvec3 error = std::sqrt(leaf.freedom * variance) * leaf.standard_error;
+            // The standard error holds the ratio already; hidden structure is told in units of the noise without it.
+            const glm::dvec3 error = error_of(leaf, hidden[i] / pruning_.variance_ratio(leaf_nodes_[i]));
             glm::vec4* texels =
                 &snapshot_.leaves[BREWSTER_LEAF_TEXELS * (first_leaf_ + i * static_cast<std::size_t>(worlds_) +
                                                           static_cast<std::size_t>(world))];
@@ -231,8 +244,25 @@ void Publisher::write_leaves(int light, int world) {
     });
 }
 
-/// Area-weighted rms of standard error over value, of the band mean of direct and indirect light together; values below
-/// 1 % of the scene's mean count as that, so that black corners do not rule.
+/// A quarter of the median over the area of places_: what boxes stand on and what lamps cover is darker, and cells there
+/// that the border runs through know nothing of the side that is seen.
+double Publisher::darkest_lit(const std::vector<glm::dvec2>& values) const {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return values[a].x != values[b].x ? values[a].x < values[b].x : a < b;
+    });
+    double area = 0, below = 0;
+    for (const Place& place : places_) area += place.area;
+    for (const std::size_t i : order) {
+        below += places_[i].area;
+        if (2 * below >= area) return values[i].x / 4;
+    }
+    return 0;
+}
+
+/// Area-weighted rms of standard error over value where there is light, of the band mean of direct and indirect light
+/// together; values below 1 % of the scene's mean count as that, so that black corners do not rule where half is black.
 double Publisher::relative_error() const {
     std::vector<glm::dvec2> values(places_.size());  // value, squared standard error
     over_ranges(places_.size(), leaves_at_a_time, threads_, [&](std::size_t begin, std::size_t end) {
@@ -252,13 +282,15 @@ double Publisher::relative_error() const {
         mean += places_[i].area * values[i].x;
         area += places_[i].area;
     }
-    const double least = 0.01 * mean / area;
-    double squares = 0;
+    const double least = 0.01 * mean / area, dark = darkest_lit(values);
+    double squares = 0, lit_area = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i].x < dark) continue;
+        lit_area += places_[i].area;
         const double value = std::max(values[i].x, least);
         if (value > 0) squares += places_[i].area * values[i].y / (value * value);
     }
-    return std::sqrt(squares / area);
+    return std::sqrt(squares / lit_area);
 }
 
 }  // namespace

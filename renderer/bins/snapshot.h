@@ -40,7 +40,7 @@ struct Snapshot {
     /// How many worlds' values a leaf of the direct and of the indirect light holds: polarized, then unpolarized, or one
     /// where both are the same.
     int direct_worlds = 1, indirect_worlds = 1;
-    double relative_error = 0;  ///< area-weighted rms of the relative standard error
+    double relative_error = 0;  ///< area-weighted rms of the relative standard error, where it is lit
 
     /// What `look_up` adds to a leaf's index to reach a world's values (0 polarized, 1 unpolarized).
     std::uint32_t direct_offset(int world) const { return direct_worlds == 2 && world == 1 ? 1u : 0u; }

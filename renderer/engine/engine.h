@@ -36,7 +36,7 @@ struct EngineSettings {
 struct StopRule {
     std::optional<std::uint64_t> photons;
     std::optional<double> seconds;       ///< of tracing, pauses not counted
-    std::optional<double> target_error;  ///< area-weighted rms of the relative standard error
+    std::optional<double> target_error;  ///< area-weighted rms of the relative standard error, where it is lit
 
     bool operator==(const StopRule&) const = default;
 };

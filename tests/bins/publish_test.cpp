@@ -176,6 +176,38 @@ TEST(Publish, MorePhotonsLowerTheErrorOfASmoothField) {
     EXPECT_LT(previous, 0.06);
 }
 
+// A step that no border of cells can follow: what cells hide is most of the error, and is told by what sharing corners
+// changes. Of cells by themselves the splits below tell less of it, the less the more photons there are.
+TEST(Publish, BarsHoldWhatASlantedEdgeHides) {
+    const auto slanted = [](double u, double v) { return u + 0.7 * v < 0.9 ? 1.0f : 0.2f; };
+    const auto true_over_said = [&](int batches, bool join_corners) {
+        BinSettings settings;
+        settings.join_corners = join_corners;
+        double errors = 0, said = 0;
+        for (unsigned seed = 0; seed < 8; ++seed) {
+            Thrower thrower(shapes::rectangle(1, 1), settings, seed);
+            std::uint64_t count = 2000;
+            for (int batch = 0; batch < batches; ++batch, count += count / 4) thrower.throw_photons(count, slanted);
+            const Snapshot snapshot = thrower.snapshot();
+            for (int place = 0; place < 10000; ++place) {
+                const double u = (place % 100 + 0.5) / 100, v = (place / 100 + 0.5) / 100;
+                const auto found = lookup::look_up(snapshot, snapshot.charts[0].direct_root, 0u,
+                                                   lookup::fixed_point_of(static_cast<float>(u)),
+                                                   lookup::fixed_point_of(static_cast<float>(v)));
+                errors += std::pow(static_cast<double>(found.value.y - slanted(u, v)), 2);
+                said += std::pow(static_cast<double>(found.standard_error.y), 2);
+            }
+        }
+        return std::sqrt(errors / said);
+    };
+    for (const int batches : {14, 17}) {
+        const double joined = true_over_said(batches, true), alone = true_over_said(batches, false);
+        std::printf("%d batches: true over said %.2f, without shared corners %.2f\n", batches, joined, alone);
+        EXPECT_NEAR(joined, 1, 0.25);
+        EXPECT_GT(alone, 1.35);
+    }
+}
+
 TEST(Publish, StepsStaySharpAndSmoothBordersJoin) {
     const auto step = [](double u, double) { return u < 0.5 ? 4.0f : 1.0f; };
     Thrower thrower(shapes::rectangle(1, 1), BinSettings{}, 9);
