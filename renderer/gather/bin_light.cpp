@@ -8,10 +8,9 @@
 namespace brewster {
 namespace {
 
-/// Of all that enters there. A ray costs time and scatters: where bins err by less, or hardly more than they do
-/// everywhere, a few draws of it mend less than that.
-float tolerated_error(const Snapshot& bins) {
-    return std::max(0.02f, 1.2f * static_cast<float>(bins.relative_error));
+/// Of all that enters there. Young bins err everywhere: where they hardly err by more, rays had to take the place of all.
+float tolerated_error(const Snapshot& bins, float tolerance) {
+    return std::max(tolerance, 1.2f * static_cast<float>(bins.relative_error));
 }
 
 float band_sum(const glm::vec3& bands) {
@@ -64,19 +63,19 @@ void read_all_entered(const Snapshot& bins, const Level& level, std::uint32_t fi
 }
 
 void read_entered(const Snapshot& bins, std::uint32_t first, std::uint32_t end, Level& level, Entered& entered) {
-    const float most_error = tolerated_error(bins);
     for (std::uint32_t i = first; i < end; ++i) {
+        const float most_error = tolerated_error(bins, level.tolerance[i]);
         const BothWorlds indirect = read_indirect(bins, level, i);
         const float light = band_sum(indirect[0].value);
         if (level.reads_direct[i] > 0) {
             const BothWorlds direct = read_direct(bins, level, i);
             const bool errs = band_sum(direct[0].standard_error) > most_error * (light + band_sum(direct[0].value));
-            if (level.doubts[i] != 0 && errs) level.reads_direct[i] = 0;
+            if (errs) level.reads_direct[i] = 0;
             level.gathers[i] = 0;
             put(&indirect, level.reads_direct[i] > 0 ? &direct : nullptr, i, entered);
         } else {
             const float error = band_sum(indirect[0].standard_error);
-            const bool errs = level.doubts[i] != 0 && error > most_error * light &&
+            const bool errs = error > most_error * light &&
                               error > most_error * (light + band_sum(read_direct(bins, level, i)[0].value));
             level.gathers[i] = level.gathers[i] != 0 && errs ? 1 : 0;
             put(level.gathers[i] == 0 ? &indirect : nullptr, nullptr, i, entered);

@@ -104,7 +104,7 @@ struct Level {
     std::array<std::uint32_t, most_rays> parent, draw, chart, triangle, u, v;
     std::array<std::uint32_t, most_rays> parent_way;  ///< of the parent's rows of ways
     std::array<std::uint8_t, most_rays> sharp_events;
-    std::array<std::uint8_t, most_rays> doubts;  ///< 1 where rays take the place of bins that err by much
+    std::array<float, most_rays> tolerance;      ///< of bins, as of the draw
     std::array<float, most_rays> wide_share;     ///< of draws that leave this gloss by the cosine as well; 0: none does
     std::array<std::uint8_t, most_rays> widely;  ///< 1 where this one does
     std::array<std::uint8_t, most_rays> gathers;  ///< 1 where one may, then where one does gather the indirect light

@@ -190,9 +190,8 @@ class EyeTracer::Batch {
             level.draw[i] = segment.draw;
             level.rough_events[i] = segment.rough;
             level.sharp_events[i] = segment.sharp;
-            const bool doubts = draws_[segment.draw].doubts;
-            level.doubts[i] = doubts ? 1 : 0;
-            level.gathers[i] = doubts && segment.rough == 0 && scene_.ends_anywhere ? 1 : 0;
+            level.tolerance[i] = draws_[segment.draw].tolerance;
+            level.gathers[i] = std::isfinite(level.tolerance[i]) && segment.rough == 0 && scene_.ends_anywhere ? 1 : 0;
             level.throughput[i] = segment.throughput;
             level.reads_direct[i] = segment.rough > 0 || level.ends_in_bins(i) ? 1.0f : 0.0f;
             store_vector(eye_vector(segment.ray.direction), level.direction, i);

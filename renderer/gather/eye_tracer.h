@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -17,9 +18,9 @@ struct Draw {
     /// so many times its share as probability. Where little is reflected, following it always costs more than it tells;
     /// but one draw alone looks best so. 0: one of both.
     float eagerness = 4;
-    /// Where the bins err by much of a surface's light, rays take their place: one that gathers the indirect light of
-    /// what is seen, and shadow rays for what a lobe or such a ray meets.
-    bool doubts = false;
+    /// Where the bins err by more than this share of a surface's light (and more than most of them), rays take their place:
+    /// one that gathers the indirect light of what is seen, and shadow rays for what a lobe or such a ray meets.
+    float tolerance = std::numeric_limits<float>::infinity();
     /// At the first rough gloss every sixteenth draw has a second ray, by the cosine, for what glares where the lobe hardly
     /// ever points. Not for single looks: it is worth its noise where many draws are averaged.
     bool goes_wide = false;
@@ -40,7 +41,7 @@ using EyeStageSeconds = std::array<double, eye_stage_count>;
 /// Follows rays from the eye until they end in the bins, a batch of draws at a time: direct light by shadow rays,
 /// indirect light from the bins; one ray for the gloss of any width, with multiple importance sampling against the
 /// lamps; mirrors, and at glass both what it reflects and what it lets through. What a rough lobe meets is read from the
-/// bins, direct and indirect. Draws may doubt what the bins say of contacts and shadows (Draw::doubts). One per thread.
+/// bins, direct and indirect. Draws may doubt what the bins say of contacts and shadows (Draw::tolerance). One per thread.
 /// What a draw sees depends on its numbers alone, not on the others of its batch. What it never finds: the gloss of a lamp
 /// without extent that shines there by way of glass or a mirror.
 class EyeTracer {

@@ -1,11 +1,25 @@
 #include "gather/gather.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/check.h"
 #include "base/threads.h"
 
 namespace brewster {
+namespace {
+
+/// Of a pixel's n-th draw: about what as many rays in the bins' place would err by. A ray's light scatters by some half of
+/// all light; bins that err by less than its mean is known are the better ones.
+float tolerance_of(std::uint32_t n) {
+    constexpr float scatter = 0.5f, least = 0.02f;
+    if (n < Gather::plain_draws) return std::numeric_limits<float>::infinity();
+    return std::max(least, scatter / std::sqrt(static_cast<float>(n + 1)));
+}
+
+}  // namespace
+
 Gather::Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed) : scene_(std::move(scene)), seed_(seed) {}
 
 void Gather::show(std::shared_ptr<const Snapshot> bins) {
@@ -103,7 +117,8 @@ bool Gather::draw_tile(EyeTracer& tracer, int tile, const std::vector<std::uint3
                     draw.column = static_cast<std::uint16_t>(column);
                     draw.row = static_cast<std::uint16_t>(row);
                     draw.numbers = {keys[next % 2], next / 2};
-                    draw.doubts = draw.goes_wide = next >= draws_before_doubts;
+                    draw.goes_wide = next >= plain_draws;
+                    draw.tolerance = tolerance_of(next);
                     draw.reads_bins = next < draws_of_bins_alone;
                 }
                 if (draws.size() < eye_batch) continue;

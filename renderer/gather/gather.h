@@ -34,8 +34,8 @@ class Gather {
   public:
     /// The fewest draws of a pixel where others get more; so many are spent evenly first, to learn where errors are.
     static constexpr std::uint32_t pilot_draws = 16;
-    /// So many of a pixel's draws believe the bins (Draw::doubts): few rays in their place scatter more than they err.
-    static constexpr std::uint32_t draws_before_doubts = 8;
+    /// So many of a pixel's draws believe the bins and do not go wide.
+    static constexpr std::uint32_t plain_draws = 8;
 
     explicit Gather(std::shared_ptr<const EyeScene> scene, std::uint64_t seed = 1);
 

@@ -15,7 +15,7 @@ std::vector<Draw> some_draws(int width, int height, std::size_t count) {
         draws.push_back({static_cast<std::uint16_t>(pixel % static_cast<std::uint32_t>(width)),
                          static_cast<std::uint16_t>(pixel / static_cast<std::uint32_t>(width)),
                          {sequence_key(1, pixel, 0), static_cast<std::uint32_t>(k)}});
-        draws.back().doubts = k % 2 == 1;
+        if (k % 2 == 1) draws.back().tolerance = 0.02f;
     }
     return draws;
 }

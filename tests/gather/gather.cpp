@@ -176,7 +176,7 @@ void over_leaves(const Snapshot& bins, std::uint32_t root, const Visit& visit) {
     over_leaves(bins, index + 1, visit);
 }
 
-/// Lets the indirect light of a chart err by just enough to be gathered everywhere.
+/// Lets the indirect light of a chart err by just enough to be gathered by a pixel's ninth draw.
 void doubt(const ChartBins& chart, Snapshot& bins) {
     float brightest = 0;
     for (const std::uint32_t root : {chart.direct_root, chart.indirect_root}) {
@@ -188,12 +188,12 @@ void doubt(const ChartBins& chart, Snapshot& bins) {
         brightest += most;
     }
     over_leaves(bins, chart.indirect_root, [&](std::size_t first) {
-        for (std::size_t texel = first; texel < first + band_count; ++texel) bins.leaves[texel].w = 0.0205f * brightest;
+        for (std::size_t texel = first; texel < first + band_count; ++texel) bins.leaves[texel].w = 0.17f * brightest;
     });
 }
 
 /// Sums over pixels and bands of the variances that single pictures state over those of 24 seeds' pictures: of S0, S1 and
-/// the unpolarized world. Also the spread itself of S0.
+/// the unpolarized world. Also the spread itself of S0. The draws that believe bins take exact ones.
 struct Honesty {
     std::array<double, 3> stated_over_spread{};
     double spread = 0;
@@ -209,6 +209,8 @@ Honesty honesty(const std::shared_ptr<const Snapshot>& bins) {
     }
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         Gather gather = room().gather(width, height, seed);
+        gather.show(exact_bins());
+        gather.draw(Gather::plain_draws, 2, never);
         gather.show(bins);
         gather.draw(32, 2, never);
         const StokesPicture picture = gather.picture();
