@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "optics/random_light.h"
 #include "optics/vector.h"
 
 namespace brewster {
@@ -49,9 +50,11 @@ struct DirectionHistogram {
     }
 };
 
-/// Probability of each cell of DirectionHistogram under a density per solid angle: 10 x 10 midpoints a cell.
+/// Probability of each cell of DirectionHistogram under a density per solid angle: 10 x 10 midpoints a cell; 7 x 7 for a
+/// fifth of the draws. Their error falls with the square of their number along a side and adds draws x error^2 to
+/// chi-square: 10 / 5^(1/4) = 6.7 along a side keep that.
 inline std::vector<double> cell_probabilities(const std::function<double(const Vector<double>&)>& density) {
-    constexpr int n = 10, rings = DirectionHistogram::rings, sectors = DirectionHistogram::sectors;
+    constexpr int n = light_test_scale == 1 ? 10 : 7, rings = DirectionHistogram::rings, sectors = DirectionHistogram::sectors;
     std::vector<double> probability(rings * sectors + 1, 0.0);
     double total = 0;
     for (int ring = 0; ring < rings; ++ring)

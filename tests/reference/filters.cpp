@@ -104,7 +104,7 @@ TEST(Filters, FloorsLitAndSeenThroughSheets) {
         sun.intensity = glm::vec3(5.0f);
         sun.direction = {0, 0, -1};
         room.lamp(sun);
-        const std::uint64_t samples = 4000 / static_cast<std::uint64_t>(light_test_scale);
+        const std::uint64_t samples = scaled(4000);
         Camera camera = looking({0, -1, 1}, {0, 0, 0}, 20);
         camera.up = glm::normalize(glm::vec3(0, 1, 1));
         return render(*room.finish(), camera, samples, polarized);

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "bench.h"
+#include "engine/slow.h"
 #include "rooms.h"
 
 namespace brewster {
@@ -16,7 +17,7 @@ constexpr KernelChoice polarized_bands{4, 3, false};
 
 std::uint64_t photons() {
     const char* wish = std::getenv("BREWSTER_PATH_PHOTONS");
-    return wish ? static_cast<std::uint64_t>(std::strtod(wish, nullptr)) : 1000000;
+    return wish ? static_cast<std::uint64_t>(std::strtod(wish, nullptr)) : slow ? 200000 : 1000000;
 }
 
 // Figure 8.1 of the thesis (theory 2.7, 3.9): sun -> floor -> side -> back wall, on over off, both interfaces of slope m.
