@@ -220,9 +220,9 @@ TEST(Program, ShotDividesItsTimeBetweenPhotonsAndDraws) {
         const json& errors = of["gather"]["relative_error"];
         return std::hypot(errors["draws"].get<double>(), errors["bins"].get<double>());
     };
-    const json rough = report({"--target-error", "0.3"}), fine = report({"--target-error", "0.1"});
-    EXPECT_LE(error(fine), 0.1);
-    EXPECT_LE(error(rough), 0.3);
+    const json rough = report({"--target-error", "0.2"}), fine = report({"--target-error", "0.05"});
+    EXPECT_LE(error(fine), 0.05);
+    EXPECT_LE(error(rough), 0.2);
     EXPECT_LT(rough["gather"]["draws"], fine["gather"]["draws"]);
     // Photons that are asked for are not passed, and draws neither.
     const json few = report({"--seconds", "30", "--photons", "2e4", "--samples", "8"});
