@@ -177,6 +177,7 @@ class EyeTracer::Batch {
         scene_.rays.intersect(s_.rays, s_.hits);
         if (first_look) look_past_backs(scene_.rays, s_.rays, s_.hits);
 
+        BREWSTER_CHECK(segments.size() <= most_rays, std::to_string(segments.size()));
         level.size = static_cast<std::uint32_t>(segments.size());
         sort(level);
         level.light.clear(level.size);
@@ -221,14 +222,14 @@ class EyeTracer::Batch {
         }
     }
 
-    // At the first gloss on a draw's path. Every so many draws of a sequence have one wide ray, which of them is hashed: each
-    // has it with the same probability, however many there will be.
+    // At the first gloss on a path that has not parted at glass. Every so many draws of a sequence have one wide ray, which
+    // of them is hashed: each has it with the same probability, however many there will be.
     void choose_wide_ray(const Segment& segment, const PreparedMaterial& material, Level& level,
                          std::uint32_t i) const {
         level.wide_share[i] = 0;
         level.widely[i] = 0;
-        if (segment.rough > 0 || !draws_[segment.draw].goes_wide || material.base == Base::transparent ||
-            !material.rough() || level.ends_in_bins(i))
+        if (segment.rough > 0 || segment.parted || !draws_[segment.draw].goes_wide ||
+            material.base == Base::transparent || !material.rough() || level.ends_in_bins(i))
             return;
         level.wide_share[i] = 1.0f / draws_for_a_wide_ray;
         const EyeNumbers& numbers = draws_[segment.draw].numbers;

@@ -21,8 +21,8 @@ struct Draw {
     /// Where the bins err by more than this share of a surface's light (and more than most of them), rays take their place:
     /// one that gathers the indirect light of what is seen, and shadow rays for what a lobe or such a ray meets.
     float tolerance = std::numeric_limits<float>::infinity();
-    /// At the first rough gloss every sixteenth draw has a second ray, by the cosine, for what glares where the lobe hardly
-    /// ever points. Not for single looks: it is worth its noise where many draws are averaged.
+    /// At the first rough gloss every sixteenth draw that has not parted has a second ray, by the cosine, for what glares
+    /// where the lobe hardly ever points. Not for single looks: it is worth its noise where many draws are averaged.
     bool goes_wide = false;
     bool reads_bins = false;  ///< what the bins alone say is wanted, too, where the draw meets rough gloss first
 };

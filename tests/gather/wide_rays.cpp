@@ -93,5 +93,21 @@ TEST(WideRays, ShareLampsWithOtherWays) {
     }
 }
 
+/// Behind and before a pane all is gloss, and each draw has two rays already: there is room for no third one.
+TEST(WideRays, LeaveDrawsThatHavePartedAlone) {
+    HandMade room;
+    const Material gloss = test_materials::beckmann(test_materials::dielectric(Base::polarized_diffuse), 0.3f);
+    room.box("wall", glm::vec3(-2.0f), glm::vec3(2.0f), true, room.add(gloss));
+    room.square("pane", {0, 0, 0}, {0, -1, 0.2}, 1, room.add(test_materials::pane()));
+    const auto scene = room.finish();
+    const auto bins = even_bins(*scene, 3, 1);
+    Draw how;
+    how.eagerness = 1000;  // always both
+    const Camera camera = looking({0, -1, 0.1}, {0, 0, 0}, 10);
+    const std::vector<double> plain = independent_looks(scene, *bins, camera, how);
+    how.goes_wide = true;
+    EXPECT_EQ(independent_looks(scene, *bins, camera, how), plain);
+}
+
 }  // namespace
 }  // namespace brewster
