@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
-#include <numeric>
 #include <span>
+#include <utility>
 
 #include "base/check.h"
 #include "base/threads.h"
@@ -69,7 +69,7 @@ class Publisher {
     void write_leaves(int light, int world);
     PublishedLeaf fit_leaf(std::uint32_t node, const glm::dvec3& weight) const;
     std::uint32_t locate(std::uint32_t root, std::uint32_t u, std::uint32_t v) const;
-    double darkest_lit(const std::vector<glm::dvec2>& values) const;
+    double darkest_lit(const std::vector<glm::dvec2>& values, double area) const;
     double relative_error() const;
 
     const BinTree<2>& tree_;
@@ -244,19 +244,16 @@ void Publisher::write_leaves(int light, int world) {
     });
 }
 
-/// A quarter of the median over the area of places_: what boxes stand on and what lamps cover is darker, and cells there
-/// that the border runs through know nothing of the side that is seen.
-double Publisher::darkest_lit(const std::vector<glm::dvec2>& values) const {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return values[a].x != values[b].x ? values[a].x < values[b].x : a < b;
-    });
-    double area = 0, below = 0;
-    for (const Place& place : places_) area += place.area;
-    for (const std::size_t i : order) {
-        below += places_[i].area;
-        if (2 * below >= area) return values[i].x / 4;
+/// A quarter of the median over the area, `area` in all: what boxes stand on and what lamps cover is darker, and cells
+/// there that the border runs through know nothing of the side that is seen.
+double Publisher::darkest_lit(const std::vector<glm::dvec2>& values, double area) const {
+    std::vector<std::pair<double, double>> sorted(values.size());  // value, area
+    for (std::size_t i = 0; i < values.size(); ++i) sorted[i] = {values[i].x, places_[i].area};
+    std::sort(sorted.begin(), sorted.end());
+    double below = 0;
+    for (const auto& [value, own] : sorted) {
+        below += own;
+        if (2 * below >= area) return value / 4;
     }
     return 0;
 }
@@ -282,7 +279,7 @@ double Publisher::relative_error() const {
         mean += places_[i].area * values[i].x;
         area += places_[i].area;
     }
-    const double least = 0.01 * mean / area, dark = darkest_lit(values);
+    const double least = 0.01 * mean / area, dark = darkest_lit(values, area);
     double squares = 0, lit_area = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i].x < dark) continue;

@@ -349,14 +349,13 @@ class EyeTracer::Batch {
         }
     }
 
-    // On the second way, too.
+    // On the second way, too; few entries do, so one at a time.
     void go_widely_from(Level& level, const Group& group, std::uint32_t vertex) {
-        const auto first = level.widely.begin() + group.first, end = level.widely.begin() + group.end;
-        if (std::find(first, end, 1) == end) return;
-        s_.numbers.draw(level, group, exit_dimension(vertex), s_.events.exit_u, s_.events.exit_v);
         for (std::uint32_t i = group.first; i < group.end; ++i) {
             if (level.widely[i] == 0) continue;
-            leave_gloss_widely<float>(scene_.materials[group.material], s_.events, level, s_.onwards[1], i);
+            const EyeNumbers& numbers = draws_[level.draw[i]].numbers;
+            const auto pair = number_pair<float>(numbers.key, numbers.index, exit_dimension(vertex));
+            leave_gloss_widely(scene_.materials[group.material], pair, level, s_.onwards[1], i);
             next_segment(level, i, 1);
         }
     }

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "gather/bin_light.h"
 #include "gather/eye_level.h"
 #include "scene/bsdf.h"
@@ -217,27 +219,25 @@ std::array<ScatterSample<Real, band_count>, 2> parted_ways(const PreparedMateria
     return ways;
 }
 
-/// Samples where gloss's light comes from by the cosine, as the second way on: from where its lobe points too seldom for
-/// what glares there.
-template <class Real>
-void leave_gloss_widely(const PreparedMaterial& material, const EventNumbers& numbers, Level& level, Onwards& onwards,
-                        std::size_t i) {
-    const SurfacePoint<Real> at = surface_point<Real>(material, false, level, i);
-    const auto drawn = sample_cosine(at.normal, axis_across(-at.towards, at.normal), load<Real>(&numbers.exit_u[i]),
-                                     load<Real>(&numbers.exit_v[i]));
-    ScatterSample<Real, band_count> sample;
+/// Samples where gloss's light comes from by the cosine, from two uniform numbers, as the second way on: from where its
+/// lobe points too seldom for what glares there.
+inline void leave_gloss_widely(const PreparedMaterial& material, const std::array<float, 2>& numbers, Level& level,
+                               Onwards& onwards, std::size_t i) {
+    const SurfacePoint<float> at = surface_point<float>(material, false, level, i);
+    const auto drawn = sample_cosine(at.normal, axis_across(-at.towards, at.normal), numbers[0], numbers[1]);
+    const auto gloss = evaluate_gloss<Use::eye, band_count>(material, -drawn.direction, at.towards, at.normal);
+    const float wide = wide_density(level.wide_share[i], drawn.cosine);
+    // Over the true density of wide rays, not that which is trusted.
+    const float factor =
+        heuristic_share(wide, gloss.pdf) * static_cast<float>(wide_trust) * drawn.cosine / std::max(wide, 1e-30f);
+    ScatterSample<float, band_count> sample;
     sample.direction = drawn.direction;
-    const auto gloss = evaluate_gloss<Use::eye, band_count>(material, -sample.direction, at.towards, at.normal);
     sample.axis = gloss.axis_in;
     sample.turn = rotation_between(at.towards, gloss.axis_out, at.carried_axis);
-    const Real wide = wide_density(load<Real>(&level.wide_share[i]), drawn.cosine);
-    // Over the true density of wide rays, not that which is trusted.
-    const Real factor =
-        heuristic_share(wide, gloss.pdf) * constant<Real>(wide_trust) * drawn.cosine / max(wide, constant<Real>(1e-30));
     for (std::size_t band = 0; band < band_count; ++band) sample.weight[band] = factor * gloss.value[band];
     sample.pdf = joint_density(gloss.pdf, wide);
-    sample.alive = gloss.pdf > Real(0);
-    sample.sharp = sample.base = sample.refracted = drawn.cosine < Real(-1);
+    sample.alive = gloss.pdf > 0;
+    sample.sharp = sample.base = sample.refracted = false;
     take_way(sample, 1, level, onwards, i);
 }
 
