@@ -108,9 +108,10 @@ void add_trace_options(CLI::App& verb, StopRule& stop, EngineSettings& engine, c
     add_number(verb, "--seconds", "Stop after S seconds of tracing (pictures: and drawing)", 1e-3, 1e9,
                [&](double seconds) { stop.seconds = seconds; })
         ->type_name("S");
-    add_number(verb, "--target-error",
-               "Stop at this relative standard error (0.01 is 1 %) of the bins (pictures: of their pixels)", 1e-6, 1,
-               [&](double error) { stop.target_error = error; })
+    add_number(
+        verb, "--target-error",
+        "Stop at this relative standard error (0.01 is 1 %) of the bins where it is lit (pictures: of their pixels)",
+        1e-6, 1, [&](double error) { stop.target_error = error; })
         ->type_name("E");
     add_threads_and_seed(verb, engine.threads, engine.seed);
     verb.add_option_function<std::string>(
